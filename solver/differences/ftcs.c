@@ -177,6 +177,7 @@ static int solve(const struct method *m, const struct problem *p, const struct o
         count(&g, o, f);
         f->shape[0] = g.n[0];
         f->shape[1] = g.n[1];
+        f->shape[2] = 1;
         f->spacing[0] = g.d[0];
         f->spacing[1] = p->dim == 2 ? g.d[1] : 0;
         f->time = p->t_end;

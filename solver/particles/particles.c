@@ -25,7 +25,7 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     if (options_is_cloud(o) && !(o->jitter >= 0 && o->jitter <= 0.5))
         return refuse(why, STATUS_INPUT, "--jitter %g: must be 0 to 0.5, in units of dx", o->jitter);
     if (compatibility_check(p, resolved, s, why)) return why->status;
-    if (o->h_iso) return matched_isotropic(resolved, s, &resolved->h, why);
+    if (o->h_iso) return matched_isotropic(p->dim, resolved, s, &resolved->h, why);
     return STATUS_OK;
 }
 
@@ -37,8 +37,7 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
                       struct options *resolved, struct lattice *l, int *rows, struct failure *why) {
     const struct stepper *stepper = stepper_of(o->stepper);
     if (particles_resolve(p, o, s, resolved, why)) return why->status;
-    double ratio = options_is_matched(o) && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
-    if (layout_lattice(p, resolved, ratio, l, why)) return why->status;
+    if (layout_lattice(p, resolved, l, why)) return why->status;
     *rows = particles_rows(p, o);
     if (!stepper || !stepper->needs) return STATUS_OK;
     return stepper->needs(p, o, s, l, why);
@@ -94,22 +93,22 @@ static int check_start(const struct field *f, struct failure *why) {
 }
 
 static void place_on_lattice(const struct lattice *l, struct field *f) {
-    size_t nx = (size_t)l->n[0], ny = (size_t)l->n[1];
-    double x[2];
-    for (size_t i = 0; i < nx; i++) {
-        layout_position(l, (int)i, 0, x);
-        f->x[i] = x[0];
-    }
-    for (size_t j = 1; j < ny; j++) memcpy(f->x + j * nx, f->x, nx * sizeof *f->x);
-    for (size_t j = 0; j < ny && f->y; j++) {
-        layout_position(l, 0, (int)j, x);
-        for (size_t i = 0; i < nx; i++) f->y[j * nx + i] = x[1];
+    double *const to[DIM_MAX] = {f->x, f->y, f->z};
+    size_t run = 1; /* particles with the same coordinate */
+    for (int a = 0; a < l->dim; run *= (size_t)l->n[a++]) {
+        size_t n = (size_t)l->n[a];
+        double x[DIM_MAX];
+        for (size_t i = 0; i < n; i++) {
+            layout_position(l, (int)i, (int)i, (int)i, x);
+            for (size_t r = 0; r < run; r++) to[a][i * run + r] = x[a];
+        }
+        for (size_t past = n * run; past < f->n; past += n * run) memcpy(to[a] + past, to[a], n * run * sizeof **to);
     }
 }
 
-/* In the plane, particles with rows are ordered by cells. */
+/* But on a rod, particles with rows are ordered by cells. */
 static int on_lattice(const struct problem *p, const struct options *o, int rows) {
-    return !options_is_cloud(o) && !(rows && p->dim == 2);
+    return !options_is_cloud(o) && !(rows && p->dim > 1);
 }
 
 double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l) {
@@ -162,11 +161,11 @@ static int place(const struct problem *p, const struct options *o, const struct 
     if (rows) {
         if (place_cloud(p, o, s, l, a, f, why)) return why->status;
     } else {
-        field_alloc(f, p->dim, (size_t)l->n[0] * (size_t)l->n[1]);
+        field_alloc(f, p->dim, (size_t)l->n[0] * (size_t)l->n[1] * (size_t)l->n[2]);
         if (operator_create_lattice(a, p, o, s, l, why)) return why->status;
         place_on_lattice(l, f);
     }
-    for (int d = 0; d < 2; d++) {
+    for (int d = 0; d < DIM_MAX; d++) {
         f->shape[d] = on_lattice(p, o, rows) ? l->n[d] : 0;
         f->spacing[d] = d < p->dim ? l->dx[d] : 0;
     }
@@ -179,7 +178,7 @@ static int set_start(const struct problem *p, const struct options *o, const str
     if (!rows) sample_lattice(p, o->sampling, l, f->T);
     if (options_is_matched(o) && !rows) matched_source(p, o, a, f->T);
     for (size_t i = 0; i < f->n && rows && !averages_cells(o, s); i++) {
-        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
+        double x[DIM_MAX] = {f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0};
         f->T[i] = start_at(p, o, l, x);
     }
     find_range(f, f->range);
@@ -202,7 +201,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
     f.time = p->t_end;
     if (!status) status = set_start(p, &o, m->scheme, &l, rows, &a, &f, why);
     if (!status) {
-        double volume = l.dx[0] * l.dx[1], cell = layout_cell(&o, l.dx[0]);
+        double volume = layout_volume(&l), cell = layout_cell(&o, l.dx[0]);
         f.heat[0] = heat_content(p, &f, a.rho_c, cell, volume);
         double loop = field_clock();
         status = particles_integrate(p, &o, m->scheme, &l, &a, &f, why);

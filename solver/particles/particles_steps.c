@@ -26,7 +26,7 @@ static int round_is_rough(const struct problem *p) {
 /* 1 if the data have jumps, or differ from the temperature of a wall. */
 static int is_rough(const struct problem *p, const struct lattice *l) {
     if (p->shape) return round_is_rough(p);
-    int rough = p->materials > 1 || p->jumps[0] + p->jumps[1] > 0;
+    int rough = p->materials > 1 || p->jumps[0] + p->jumps[1] + p->jumps[2] > 0;
     for (int s = 0; s < 2 * p->dim && !rough; s++)
         rough = p->side[s] == DIRICHLET && !sample_meets_wall(p, l, (enum side)s);
     return rough;
@@ -94,11 +94,11 @@ static void count(const struct problem *p, const struct options *o, const struct
 
 /* Possible effect of source and fluxes during the run, K.  A flux q through a side of a body of length L heats it by
  * q t/(rho_c L) on average and bends its profile by at most q L/k. */
-static double heat_added(const struct problem *p, const struct field *f, const double flux[4]) {
+static double heat_added(const struct problem *p, const struct field *f, const double flux[SIDES]) {
     double source = 0, add = 0, rho_c = p->material[0].rho_c;
     for (int m = 1; m < p->materials; m++) rho_c = fmin(rho_c, p->material[m].rho_c);
     for (size_t i = 0; i < f->n && p->source; i++) {
-        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
+        double x[DIM_MAX] = {f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0};
         source = fmax(source, fabs(p->source(p, x)));
     }
     for (int s = 0; s < 2 * p->dim; s++) {
@@ -112,7 +112,7 @@ static double heat_added(const struct problem *p, const struct field *f, const d
 /* Range of the data, K: initial data, walls, and incoming heat. */
 static void data_range(const struct problem *p, const struct field *f, double *lo, double *hi) {
     *lo = f->range[0], *hi = f->range[1];
-    double flux[4] = {0};
+    double flux[SIDES] = {0};
     for (int s = 0; s < 2 * p->dim; s++)
         for (int k = 0; k <= 8 && shape_has_wall(p, s); k++) {
             double at[2] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, for a round wall */

@@ -72,7 +72,7 @@ static int insulate(const struct problem *p, const struct options *o, const stru
     q.source = NULL, q.wall = problem_held, q.held[X_LO] = q.held[X_HI] = 0;
     q.side[X_LO] = q.side[X_HI] = NEUMANN;
     there.placed = f;
-    if (layout_lattice(&q, &there, 1, &l, why)) return why->status;
+    if (layout_lattice(&q, &there, &l, why)) return why->status;
     if (layout_cloud(&q, &there, &l, particles_reach(&there, s, &l), &c, why)) return why->status;
     int status = operator_create_csr(a, &q, &there, s, &c, l.dx[0], why);
     layout_cloud_free(&c);

@@ -16,26 +16,38 @@
  * otherwise the term is omitted:
  *   d^2 T_nn = -(d^2 G + k_t D^2 T_wall) / k_n
  *   d^3/3 T_nnn = -(d^2/6 (G_g - G_source) + d/3 k_t D^2 q / k_n) / k_n
- * At a corner the wall data and the source are evaluated at the continuation of the wall. */
+ * In a box k_t D^2 stands for the sum over both tangents.  At an edge or a corner the wall data and the source are
+ * evaluated at the continuation of the wall. */
 #include "solver/space/layout.h"
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 static const double PARTICLES_MAX = 4e9; /* column indices have 32 bits */
 
-/* The nearest spacings below and above that divide every extent, with dy = ratio dx; NaN if there is none. */
-static void nearest_spacings(const struct problem *p, double dx, double ratio, double out[2]) {
-    double extent = p->hi[0] - p->lo[0], other = p->dim == 2 ? (p->hi[1] - p->lo[1]) / ratio : extent;
-    double near = fmax(1, floor(extent / dx));
+double layout_spacing(const struct problem *p, const struct options *o, int axis) {
+    double ratio = options_is_matched(o) ? sqrt(p->material[0].k[axis] / p->material[0].k[0]) : 1;
+    return o->dx * ratio;
+}
+
+/* 1 if n cells along x are whole numbers of cells along the other axes. */
+static int divides_all(const struct problem *p, const struct options *o, double n) {
+    for (int a = 1; a < p->dim; a++) {
+        double other = (p->hi[a] - p->lo[a]) / (layout_spacing(p, o, a) / o->dx);
+        double cells = other * n / (p->hi[0] - p->lo[0]);
+        if (fabs(cells - round(cells)) > 1e-9 * cells || round(cells) < 1) return 0;
+    }
+    return 1;
+}
+
+/* The nearest spacings below and above that divide every extent; NaN if there is none. */
+static void nearest_spacings(const struct problem *p, const struct options *o, double out[2]) {
+    double extent = p->hi[0] - p->lo[0], near = fmax(1, floor(extent / o->dx));
     for (int up = 0; up < 2; up++) {
-        out[up] = NAN;
-        for (double n = up ? near : near + 1; n >= 1 && n < 4 * near + 1000; n += up ? -1 : 1) {
-            double cells = other * n / extent;
-            if (fabs(cells - round(cells)) > 1e-9 * cells || round(cells) < 1) continue;
-            out[up] = extent / n;
-            break;
-        }
+        double n = up ? near : near + 1;
+        while (n >= 1 && n < 4 * near + 1000 && !divides_all(p, o, n)) n += up ? -1 : 1;
+        out[up] = n >= 1 && n < 4 * near + 1000 ? extent / n : NAN;
     }
 }
 
@@ -49,12 +61,17 @@ static int count_cells(const struct problem *p, int axis, double spacing, double
     return divides;
 }
 
-static int refuse_spacing(const struct problem *p, const struct options *o, double ratio, struct failure *why) {
+static int refuse_spacing(const struct problem *p, const struct options *o, struct failure *why) {
     double near[2];
-    nearest_spacings(p, o->dx, ratio, near);
+    nearest_spacings(p, o, near);
+    if (isnan(near[0]) && p->dim == 3)
+        return refuse(why, STATUS_INPUT,
+                      "--dx %g: does not divide the domain; with dy = %.6g dx and dz = %.6g dx no "
+                      "close value does",
+                      o->dx, layout_spacing(p, o, 1) / o->dx, layout_spacing(p, o, 2) / o->dx);
     if (isnan(near[0]))
         return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; with dy = %.6g dx no close value does",
-                      o->dx, ratio);
+                      o->dx, layout_spacing(p, o, 1) / o->dx);
     if (isnan(near[1]))
         return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; nearest: %.10g", o->dx, near[0]);
     return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; nearest: %.10g and %.10g", o->dx, near[0],
@@ -77,27 +94,26 @@ double layout_hexagonal_rows(double height, double dx) {
     return fmax(1, round(height / (dx * sqrt(0.75))));
 }
 
-int layout_lattice(const struct problem *p, const struct options *o, double ratio, struct lattice *l,
-                   struct failure *why) {
-    *l = (struct lattice){.dim = p->dim, .n = {1, 1}, .dx = {1, 1}};
+int layout_lattice(const struct problem *p, const struct options *o, struct lattice *l, struct failure *why) {
+    *l = (struct lattice){.dim = p->dim, .n = {1, 1, 1}, .dx = {1, 1, 1}};
     if (!(o->dx > 0) || !isfinite(o->dx))
         return refuse(why, STATUS_INPUT, "--dx %g: must be a length > 0, in m", o->dx);
     int node = o->layout == LAYOUT_NODE;
     double particles = 1;
     for (int a = 0; a < p->dim; a++) {
-        double cells, spacing = a ? o->dx * ratio : o->dx;
+        double cells, spacing = layout_spacing(p, o, a);
         if (a && o->layout == LAYOUT_HEXAGONAL)
             spacing = (p->hi[a] - p->lo[a]) / layout_hexagonal_rows(p->hi[a] - p->lo[a], o->dx);
         int divides = count_cells(p, a, spacing, &cells) || p->shape; /* a round body accepts any spacing */
         if (!(cells < CELLS_MAX))
             return refuse(why, STATUS_INPUT, "--dx %g: %g particles along %c, must be below %g", o->dx, cells,
-                          "xy"[a], CELLS_MAX);
-        if (!divides) return refuse_spacing(p, o, ratio, why);
+                          "xyz"[a], CELLS_MAX);
+        if (!divides) return refuse_spacing(p, o, why);
         const enum side_kind *kind = &p->side[2 * a];
         l->dx[a] = (p->hi[a] - p->lo[a]) / cells;
         l->n[a] = (int)cells;
         if (node) l->n[a] += 1 - (kind[0] == DIRICHLET) - (kind[1] == DIRICHLET);
-        if (l->n[a] < 1) return refuse_spacing(p, o, ratio, why);
+        if (l->n[a] < 1) return refuse_spacing(p, o, why);
         particles *= l->n[a];
         l->first[a] = p->lo[a] + (node ? (kind[0] == DIRICHLET) * l->dx[a] : l->dx[a] / 2);
         for (int s = 2 * a; s < 2 * a + 2; s++) {
@@ -113,9 +129,13 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
     return STATUS_OK;
 }
 
-void layout_position(const struct lattice *l, int i, int j, double x[2]) {
-    x[0] = l->first[0] + i * l->dx[0];
-    x[1] = l->dim == 2 ? l->first[1] + j * l->dx[1] : 0;
+void layout_position(const struct lattice *l, int i, int j, int k, double x[DIM_MAX]) {
+    const int at[DIM_MAX] = {i, j, k};
+    for (int a = 0; a < DIM_MAX; a++) x[a] = a < l->dim ? l->first[a] + at[a] * l->dx[a] : 0;
+}
+
+double layout_volume(const struct lattice *l) {
+    return l->dx[0] * l->dx[1] * l->dx[2];
 }
 
 int layout_material(const struct problem *p, double x) {
@@ -142,24 +162,30 @@ struct difference {
     double value, size;
 };
 
-/* k_t D^2 of the boundary data at a foot, with the step d; 0 on a rod, and if the interface crosses the side. */
-static struct difference curvature(const struct problem *p, int side, const double foot[2], double d) {
-    int along = 1 - side / 2;
-    double before[2] = {foot[0], foot[1]}, after[2] = {foot[0], foot[1]};
-    if (p->dim == 1 || (p->materials == 2 && along == 0)) return (struct difference){0, 0};
-    before[along] -= d, after[along] += d;
-    double k = p->material[layout_material(p, foot[0])].k[along];
-    double sum = p->wall(p, (enum side)side, before, 0) + p->wall(p, (enum side)side, after, 0);
-    double middle = 2 * p->wall(p, (enum side)side, foot, 0);
-    return (struct difference){k * (sum - middle), k * (fabs(sum) + fabs(middle))};
+/* k_t D^2 of the boundary data at a foot, with the step d, without tangents that cross the interface. */
+static struct difference curvature(const struct problem *p, int side, const double *foot, double d) {
+    struct difference all = {0, 0};
+    for (int along = 0; along < p->dim; along++) {
+        if (along == side / 2 || (p->materials == 2 && along == 0)) continue;
+        double at[DIM_MAX] = {0}, k = p->material[layout_material(p, foot[0])].k[along], sum = 0;
+        memcpy(at, foot, (size_t)p->dim * sizeof *at);
+        for (int way = -1; way < 2; way += 2) {
+            at[along] = foot[along] + way * d;
+            sum += p->wall(p, (enum side)side, at, 0);
+        }
+        double middle = 2 * p->wall(p, (enum side)side, foot, 0);
+        all.value += k * (sum - middle), all.size += k * (fabs(sum) + fabs(middle));
+    }
+    return all;
 }
 
 /* -k_n times the highest-order term of the ghost, by differences of the step part x d. */
-static struct difference highest(const struct problem *p, int side, const double foot[2], double d, double part) {
+static struct difference highest(const struct problem *p, int side, const double *foot, double d, double part) {
     int axis = side / 2, flux = p->side[side] == NEUMANN;
     double k = p->material[layout_material(p, foot[0])].k[axis], step = side % 2 ? part * d : -part * d;
-    double factor = (flux ? d / (3 * k) : 1) / (part * part), outer[2] = {foot[0], foot[1]},
-           inner[2] = {foot[0], foot[1]};
+    double factor = (flux ? d / (3 * k) : 1) / (part * part), outer[DIM_MAX] = {0}, inner[DIM_MAX] = {0};
+    memcpy(outer, foot, (size_t)p->dim * sizeof *outer);
+    memcpy(inner, foot, (size_t)p->dim * sizeof *inner);
     struct difference sum = curvature(p, side, foot, part * d);
     sum.value *= factor, sum.size *= factor;
     if (!p->source) return sum;
@@ -177,17 +203,19 @@ static struct difference highest(const struct problem *p, int side, const double
 
 /* The same with the step d, or 0 if its error is larger than the term.  The error decreases with the square of the
  * step, so half the step gives an estimate.  For k_n far below k_t only this error and round-off remain. */
-static double highest_known(const struct problem *p, int side, const double foot[2], double d) {
+static double highest_known(const struct problem *p, int side, const double *foot, double d) {
     struct difference whole = highest(p, side, foot, d, 1), half = highest(p, side, foot, d, 0.5);
     double error = fabs(whole.value - half.value) * 4 / 3, rounding = 4 * DBL_EPSILON * (whole.size + half.size);
     return fabs(4 * half.value - whole.value) / 3 > error + rounding ? whole.value : 0;
 }
 
-/* One reflection along `axis`: T_ghost = *sign T_source + the returned offset.  `at` has the other coordinate; l is
- * that of layout_ghost_offset. */
-static double reflect(const struct problem *p, enum walls walls, int axis, int side, double ghost, double source,
-                      const double at[2], const struct lattice *l, double *sign) {
-    double foot[2] = {at[0], at[1]};
+/* One reflection of `at` along the axis of a side to the coordinate `source`: T_at = *sign T_source + the returned
+ * offset. l is that of layout_ghost_offset. */
+static double reflect(const struct problem *p, enum walls walls, int side, const double *at, double source,
+                      const struct lattice *l, double *sign) {
+    int axis = side / 2;
+    double foot[DIM_MAX] = {0}, ghost = at[axis];
+    memcpy(foot, at, (size_t)p->dim * sizeof *foot);
     foot[axis] = side % 2 ? p->hi[axis] : p->lo[axis];
     *sign = 1;
     if (p->side[side] == PERIODIC) return 0;
@@ -207,22 +235,19 @@ static double reflect(const struct problem *p, enum walls walls, int axis, int s
     return 2 * value - highest_known(p, side, foot, d) / k;
 }
 
-double layout_ghost_offset(const struct problem *p, enum walls walls, const struct lattice *l, const int side[2],
-                           const double ghost[2], const double source[2]) {
+double layout_ghost_offset(const struct problem *p, enum walls walls, const struct lattice *l, const int *side,
+                           const double *ghost, const double *source) {
     double offset = 0, sign;
     int orders = 0;
-    for (int outer = 0; outer < 2; outer++) { /* the reflection along `outer` is the last one */
-        int inner = 1 - outer;
-        if (side[outer] < 0) continue;
-        double sum = reflect(p, walls, outer, side[outer], ghost[outer], source[outer], ghost, l, &sign);
-        if (side[inner] >= 0) {
-            double at[2];
-            at[outer] = source[outer];
-            at[inner] = ghost[inner];
-            double inner_sign;
-            sum += sign * reflect(p, walls, inner, side[inner], ghost[inner], source[inner], at, l, &inner_sign);
-        }
-        offset += sum;
+    for (int last = 0; last < p->dim; last++) { /* the last reflection is along this axis */
+        if (side[last] < 0) continue;
+        int before[DIM_MAX];
+        double at[DIM_MAX] = {0};
+        memcpy(before, side, (size_t)p->dim * sizeof *before);
+        memcpy(at, ghost, (size_t)p->dim * sizeof *at);
+        double sum = reflect(p, walls, side[last], ghost, source[last], l, &sign);
+        before[last] = -1, at[last] = source[last];
+        offset += sum + sign * layout_ghost_offset(p, walls, l, before, at, source);
         orders++;
     }
     return orders ? offset / orders : 0;

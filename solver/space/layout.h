@@ -13,28 +13,33 @@
 
 struct lattice {
     int dim;
-    int n[2];        /* number of unknowns along x and y; n[1] = 1 for a rod */
-    double dx[2];    /* m; dx[1] = 1 for a rod */
-    double first[2]; /* m, position of unknown 0 */
+    int n[DIM_MAX];        /* number of unknowns by axis; 1 past dim */
+    double dx[DIM_MAX];    /* m; 1 past dim */
+    double first[DIM_MAX]; /* m, position of unknown 0 */
     /* Ghosts k = 1, 2, ... beyond side s: */
-    int shift[4];    /* ghost k mirrors unknown k - 1 + shift[s], counted from that side; a negative index is the wall
-                        itself */
-    int sign[4];     /* -1: odd; 1: even; 0: ghosts have the wall's value; LAYOUT_ROBIN: see `robin` */
-    double robin[4]; /* T_-1 = robin T_0 and T_-k-1 = robin (T_-k + T_k) - T_k-1, plus offsets */
+    int shift[SIDES];    /* ghost k mirrors unknown k - 1 + shift[s], counted from that side; a negative index is the
+                            wall itself */
+    int sign[SIDES];     /* -1: odd; 1: even; 0: ghosts have the wall's value; LAYOUT_ROBIN: see `robin` */
+    double robin[SIDES]; /* T_-1 = robin T_0 and T_-k-1 = robin (T_-k + T_k) - T_k-1, plus offsets */
 };
 
 enum { LAYOUT_ROBIN = 2 };
 
-/* The lattice for the options dx and layout (LAYOUT_JITTER: before the displacement). ratio = dy / dx.  Refuses a dx
- * that does not divide the domain, and names the nearest that do. */
-int layout_lattice(const struct problem *p, const struct options *o, double ratio, struct lattice *l,
-                   struct failure *why);
+/* m: the spacing that the options ask for along an axis: dx, for the matched run times sqrt(k_a / k_x). */
+double layout_spacing(const struct problem *p, const struct options *o, int axis);
+
+/* The lattice for the options dx and layout (LAYOUT_JITTER: before the displacement).  Refuses a dx that does not
+ * divide the domain, and names the nearest that do. */
+int layout_lattice(const struct problem *p, const struct options *o, struct lattice *l, struct failure *why);
 
 /* Number of rows along y of a hexagonal cloud of spacing dx (m) in a height (m). */
 double layout_hexagonal_rows(double height, double dx);
 
-/* Position of unknown (i, j), m; the indices may be outside. */
-void layout_position(const struct lattice *l, int i, int j, double x[2]);
+/* Position of unknown (i, j, k), m, 0 past dim; the indices may be outside. */
+void layout_position(const struct lattice *l, int i, int j, int k, double x[DIM_MAX]);
+
+/* Volume of a cell, m^dim. */
+double layout_volume(const struct lattice *l);
 
 /* The material at x (m).  A point within round-off of the interface belongs to the second one. */
 int layout_material(const struct problem *p, double x);
@@ -54,10 +59,10 @@ double layout_cell(const struct options *o, double spacing);
 double layout_robin_factor(const struct problem *p, int side, double k, double d);
 
 /* Offset of the ghost at `ghost`, K, with T_ghost = sign T_source + offset, for the source at `source` (m). side[a]
- * is the side beyond which it is along axis a, or -1.  At a corner the result is the mean over both orders of
+ * is the side beyond which it is along axis a, or -1.  At edges and corners the result is the mean over all orders of
  * reflection, which differ if the sides do. l: the lattice of the ghost; NULL in a cloud. */
-double layout_ghost_offset(const struct problem *p, enum walls walls, const struct lattice *l, const int side[2],
-                           const double ghost[2], const double source[2]);
+double layout_ghost_offset(const struct problem *p, enum walls walls, const struct lattice *l, const int *side,
+                           const double *ghost, const double *source);
 
 /* Particles off the lattice, ordered by cells of side `reach`, followed by their ghosts. */
 struct cloud {

@@ -27,8 +27,8 @@ static void place_particles(const struct options *o, const struct lattice *l, do
         for (int i0 = 0; i0 < l->n[0]; i0 += block[0])
             for (int j = j0; j < j0 + block[1] && j < l->n[1]; j++)
                 for (int i = i0; i < i0 + block[0] && i < l->n[0]; i++, k++) {
-                    double x[2];
-                    layout_position(l, i, j, x);
+                    double x[DIM_MAX];
+                    layout_position(l, i, j, 0, x);
                     if (o->layout == LAYOUT_HEXAGONAL && l->dim == 2) x[0] += (j % 2 ? 0.25 : -0.25) * l->dx[0];
                     c->x[k] = x[0] + amplitude * l->dx[0] * layout_moves_at(&moves, i, j, 0);
                     c->y[k] = l->dim == 2 ? x[1] + amplitude * l->dx[1] * layout_moves_at(&moves, i, j, 1) : 0;

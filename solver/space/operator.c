@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The operator on a lattice of one material: one stencil for all particles, with walls through ghosts.
  *
- * Every stencil is even along each axis, so a quadrant of weights represents it.  A scheme of two sweeps (first
- * derivatives applied twice) becomes one sweep with the convolution of its stencils.  The state has a frame of
- * ghosts; A is the homogeneous part (ghost = sign x source), and g contains the wall values and the source. */
+ * Every stencil is even along each axis, so an octant of weights represents it (of a plane a quadrant).  A scheme of
+ * two sweeps (first derivatives applied twice) becomes one sweep with the convolution of its stencils.  The state has
+ * a frame of ghosts; A is the homogeneous part (ghost = sign x source), and g contains the wall values and the
+ * source. */
 #include "solver/space/operator.h"
 #include "solver/space/kernel.h"
 #include "solver/space/csr.h"
@@ -12,27 +13,48 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Weights on a full square around the centre; on a rod a line. */
-struct square {
-    int r[2];
+/* Weights on a full cube of radius r around the centre; in the plane a square, on a rod a line. */
+struct cube {
+    int dim, r;
     double *w;
 };
 
-static struct square square_alloc(int rx, int ry) {
-    return (struct square){{rx, ry}, xcalloc((size_t)(2 * rx + 1) * (size_t)(2 * ry + 1), sizeof(double))};
+static size_t cube_size(const struct cube *s) {
+    size_t size = 1;
+    for (int a = 0; a < s->dim; a++) size *= (size_t)(2 * s->r + 1);
+    return size;
 }
 
-static double *square_at(const struct square *s, int i, int j) {
-    return &s->w[(j + s->r[1]) * (2 * s->r[0] + 1) + i + s->r[0]];
+static struct cube cube_alloc(int dim, int r) {
+    struct cube s = {dim, r, NULL};
+    s.w = xcalloc(cube_size(&s), sizeof *s.w);
+    return s;
+}
+
+static double *cube_at(const struct cube *s, const int *at) {
+    int place = 0;
+    for (int a = s->dim - 1; a >= 0; a--) place = place * (2 * s->r + 1) + at[a] + s->r;
+    return &s->w[place];
+}
+
+/* The offset with this index in s->w. */
+static void cube_offset(const struct cube *s, size_t index, int *at) {
+    for (int a = 0; a < s->dim; a++, index /= (size_t)(2 * s->r + 1))
+        at[a] = (int)(index % (size_t)(2 * s->r + 1)) - s->r;
 }
 
 /* to += factor a * a */
-static void add_convolution(struct square *to, const struct square *a, double factor) {
-    for (int j = -a->r[1]; j <= a->r[1]; j++)
-        for (int i = -a->r[0]; i <= a->r[0]; i++)
-            for (int l = -a->r[1]; l <= a->r[1]; l++)
-                for (int k = -a->r[0]; k <= a->r[0]; k++)
-                    *square_at(to, i + k, j + l) += factor * *square_at(a, i, j) * *square_at(a, k, l);
+static void add_convolution(struct cube *to, const struct cube *a, double factor) {
+    size_t size = cube_size(a);
+    for (size_t m = 0; m < size; m++)
+        for (size_t n = 0; n < size; n++) {
+            int first[DIM_MAX], second[DIM_MAX];
+            if (a->w[m] == 0 || a->w[n] == 0) continue;
+            cube_offset(a, m, first);
+            cube_offset(a, n, second);
+            for (int d = 0; d < a->dim; d++) first[d] += second[d];
+            *cube_at(to, first) += factor * a->w[m] * a->w[n];
+        }
 }
 
 int operator_weights(const struct scheme *s, const struct problem *p, const struct options *o,
@@ -52,61 +74,69 @@ int operator_weights(const struct scheme *s, const struct problem *p, const stru
 
 int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][DIM_MAX], struct neighbourhood *nb,
                            struct failure *why) {
-    *nb = (struct neighbourhood){.dim = dim, .d = d, .h = h * dx, .volume = dim == 2 ? dx * dx : dx};
-    double reach = ceil(KERNEL_SUPPORT * h * (1 - 1e-12)) - 1, across = 2 * reach + 1;
-    if (!((dim == 2 ? across * across : across) <= NEIGHBOURS_MAX))
+    double reach = ceil(KERNEL_SUPPORT * h * (1 - 1e-12)) - 1, most = 1;
+    *nb = (struct neighbourhood){.dim = dim, .d = d, .h = h * dx, .volume = 1};
+    for (int a = 0; a < dim; a++) nb->volume *= dx, most *= 2 * reach + 1;
+    if (!(most <= NEIGHBOURS_MAX))
         return refuse(why, STATUS_INPUT, "--h %g: more than %d neighbours; use a smaller --h", h, NEIGHBOURS_MAX);
-    int r = (int)reach, ry = dim == 2 ? r : 0;
-    for (int j = -ry; j <= ry; j++)
-        for (int i = -r; i <= r; i++) {
-            /* Offsets at exactly 2 h must not depend on round-off; they are excluded, since the kernel is zero. */
-            if ((i == 0 && j == 0) || i * i + j * j >= 4 * h * h * (1 - 1e-12)) continue;
-            d[nb->n][0] = i * dx, d[nb->n][1] = j * dx, d[nb->n++][2] = 0;
-        }
+    int r = (int)reach, ry = dim > 1 ? r : 0, rz = dim > 2 ? r : 0;
+    for (int k = -rz; k <= rz; k++)
+        for (int j = -ry; j <= ry; j++)
+            for (int i = -r; i <= r; i++) {
+                /* Offsets at exactly 2 h must not depend on round-off; they are excluded, since the kernel is 0. */
+                int square = i * i + j * j + k * k;
+                if (square == 0 || square >= 4 * h * h * (1 - 1e-12)) continue;
+                double *to = d[nb->n++];
+                to[0] = i * dx, to[1] = j * dx, to[2] = k * dx;
+            }
     return STATUS_OK;
 }
 
-/* Weights of the scheme on the lattice around the origin, one square per output; 0 at the origin. */
+/* Weights of the scheme on the lattice around the origin, one cube per output; 0 at the origin. */
 static int lattice_weights(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
-                           const double kappa[2], struct square out[2], struct failure *why) {
-    double d[NEIGHBOURS_MAX][DIM_MAX], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
+                           const double *kappa, struct cube out[DIM_MAX], struct failure *why) {
+    double d[NEIGHBOURS_MAX][DIM_MAX], weight[DIM_MAX][NEIGHBOURS_MAX],
+        *w[DIM_MAX] = {weight[0], weight[1], weight[2]};
     struct neighbourhood nb;
     if (operator_neighbourhood(p->dim, dx, o->h, d, &nb, why)) return why->status;
     if (s->volume) nb.volume = s->volume(p, o, nb.h, nb.volume);
     nb.rho_c = p->material[0].rho_c;
-    nb.x[0] = (p->lo[0] + p->hi[0]) / 2, nb.x[1] = (p->lo[1] + p->hi[1]) / 2;
-    for (int a = 0; a < 2; a++) nb.kappa[a] = kappa[a];
+    for (int a = 0; a < p->dim; a++) nb.x[a] = (p->lo[a] + p->hi[a]) / 2, nb.kappa[a] = kappa[a];
     int status = operator_weights(s, p, o, &nb, w, why), r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1;
-    for (int t = 0; t < s->sweeps && !status; t++) {
-        out[t] = square_alloc(r, p->dim == 2 ? r : 0);
-        for (size_t k = 0; k < nb.n; k++)
-            *square_at(&out[t], (int)lround(d[k][0] / dx), (int)lround(d[k][1] / dx)) = w[t][k];
+    for (int t = 0; t < (s->sweeps == 1 ? 1 : p->dim) && !status; t++) {
+        out[t] = cube_alloc(p->dim, r);
+        for (size_t k = 0; k < nb.n; k++) {
+            int at[DIM_MAX];
+            for (int a = 0; a < p->dim; a++) at[a] = (int)lround(d[k][a] / dx);
+            *cube_at(&out[t], at) = w[t][k];
+        }
     }
     return status;
 }
 
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
-                     const double kappa[2], int *reach, double **weight, struct failure *why) {
-    struct square part[2] = {{{0, 0}, NULL}, {{0, 0}, NULL}}, whole;
+                     const double *kappa, int reach[DIM_MAX], double **weight, struct failure *why) {
+    struct cube part[DIM_MAX], whole;
     if (lattice_weights(p, o, s, dx, kappa, part, why)) return why->status;
     whole = part[0];
     if (s->sweeps == 2) {
-        whole = square_alloc(2 * part[0].r[0], 2 * part[0].r[1]);
-        for (int a = 0; a < p->dim; a++) add_convolution(&whole, &part[a], kappa[a]);
-        free(part[0].w);
-        free(part[1].w);
-    }
-    int rx = whole.r[0], ry = whole.r[1];
-    double sum = 0;
-    *weight = xcalloc((size_t)(rx + 1) * (size_t)(ry + 1), sizeof **weight);
-    for (int j = 0; j <= ry; j++)
-        for (int i = 0; i <= rx; i++) {
-            double w = *square_at(&whole, i, j);
-            (*weight)[j * (rx + 1) + i] = w;
-            if (i || j) sum += w * (i ? 2 : 1) * (j ? 2 : 1);
+        whole = cube_alloc(p->dim, 2 * part[0].r);
+        for (int a = 0; a < p->dim; a++) {
+            add_convolution(&whole, &part[a], kappa[a]);
+            free(part[a].w);
         }
+    }
+    for (int a = 0; a < DIM_MAX; a++) reach[a] = a < p->dim ? whole.r : 0;
+    double sum = 0;
+    *weight = xcalloc(operator_offset(reach, reach[0], reach[1], reach[2]) + 1, sizeof **weight);
+    for (int k = 0; k <= reach[2]; k++)
+        for (int j = 0; j <= reach[1]; j++)
+            for (int i = 0; i <= reach[0]; i++) {
+                double w = *cube_at(&whole, (const int[]){i, j, k});
+                (*weight)[operator_offset(reach, i, j, k)] = w;
+                if (i || j || k) sum += w * operator_images(i, j, k);
+            }
     (*weight)[0] = -sum; /* a constant temperature is steady */
-    reach[0] = rx, reach[1] = ry;
     free(whole.w);
     return STATUS_OK;
 }
@@ -124,62 +154,93 @@ static int ghost_side(const struct lattice *l, int axis, int i, int *source) {
     return side;
 }
 
-/* Adds w x offset of the ghost at (i, j) to g of its neighbours. */
-static void add_ghost(const struct heat_operator *a, int i, int j, double offset, double *g) {
-    const struct lattice *l = &a->lattice;
-    int rx = a->reach[0], ry = a->reach[1];
-    for (int m = j > ry ? j - ry : 0; m <= j + ry && m < l->n[1]; m++)
-        for (int k = i > rx ? i - rx : 0; k <= i + rx && k < l->n[0]; k++)
-            g[operator_row(a, m) + k] += a->weight[abs(m - j) * (rx + 1) + abs(k - i)] * offset;
+/* Adds w x offset of the ghost at `at` to g of its neighbours. */
+static void add_ghost(const struct heat_operator *a, const int at[DIM_MAX], double offset, double *g) {
+    int lo[DIM_MAX], end[DIM_MAX];
+    for (int d = 0; d < DIM_MAX; d++) {
+        int r = a->reach[d], n = a->lattice.n[d];
+        lo[d] = at[d] > r ? at[d] - r : 0, end[d] = at[d] + r < n ? at[d] + r + 1 : n;
+    }
+    for (int k = lo[2]; k < end[2]; k++)
+        for (int j = lo[1]; j < end[1]; j++)
+            for (int i = lo[0]; i < end[0]; i++)
+                g[operator_place(a, j, k) + i] +=
+                    a->weight[operator_offset(a->reach, abs(i - at[0]), abs(j - at[1]), abs(k - at[2]))] * offset;
 }
 
-/* 1 if a source or a wall value, at the foot of any ghost, is not zero. */
+/* 1 if the wall values on a side, at the foot of any ghost, are not all zero. */
+static int side_has_values(const struct heat_operator *a, const struct problem *p, int s) {
+    const struct lattice *l = &a->lattice;
+    int axis = s / 2, from[DIM_MAX], end[DIM_MAX];
+    for (int d = 0; d < DIM_MAX; d++) {
+        from[d] = d == axis ? 0 : -a->reach[d];
+        end[d] = d == axis ? 1 : l->n[d] + a->reach[d];
+    }
+    double x[DIM_MAX];
+    for (int k = from[2]; k < end[2]; k++)
+        for (int j = from[1]; j < end[1]; j++)
+            for (int i = from[0]; i < end[0]; i++) {
+                layout_position(l, i, j, k, x);
+                x[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
+                if (p->wall(p, (enum side)s, x, 0) != 0) return 1;
+            }
+    return 0;
+}
+
+/* 1 if a source or a wall value is not zero. */
 static int has_constants(const struct heat_operator *a, const struct problem *p) {
     const struct lattice *l = &a->lattice;
-    double x[2];
-    for (int j = 0; j < l->n[1] && p->source; j++)
-        for (int i = 0; i < l->n[0]; i++) {
-            layout_position(l, i, j, x);
-            if (p->source(p, x) != 0) return 1;
-        }
+    double x[DIM_MAX];
+    for (int k = 0; k < l->n[2] && p->source; k++)
+        for (int j = 0; j < l->n[1]; j++)
+            for (int i = 0; i < l->n[0]; i++) {
+                layout_position(l, i, j, k, x);
+                if (p->source(p, x) != 0) return 1;
+            }
     for (int s = 0; s < 2 * l->dim; s++)
-        for (int i = -a->reach[1 - s / 2]; i < l->n[1 - s / 2] + a->reach[1 - s / 2]; i++) {
-            layout_position(l, s / 2 ? i : 0, s / 2 ? 0 : i, x);
-            x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
-            if (p->wall(p, (enum side)s, x, 0) != 0) return 1;
-        }
+        if (side_has_values(a, p, s)) return 1;
     return 0;
+}
+
+/* Adds w x offset of the ghosts of row (j, k). */
+static void add_ghosts(const struct heat_operator *a, const struct problem *p, const struct options *o, int j, int k,
+                       double *g) {
+    const struct lattice *l = &a->lattice;
+    int inside = j >= 0 && j < l->n[1] && k >= 0 && k < l->n[2];
+    int past = inside ? l->n[0] : 0; /* the particles between the ghosts of this row */
+    for (int i = -a->reach[0]; i < l->n[0] + a->reach[0]; i += i == -1 ? 1 + past : 1) {
+        int at[DIM_MAX] = {i, j, k}, from[DIM_MAX], side[DIM_MAX];
+        double ghost[DIM_MAX], source[DIM_MAX];
+        for (int d = 0; d < DIM_MAX; d++) side[d] = ghost_side(l, d, at[d], &from[d]);
+        layout_position(l, i, j, k, ghost);
+        layout_position(l, from[0], from[1], from[2], source);
+        double offset = layout_ghost_offset(p, o->walls, l, side, ghost, source);
+        if (offset != 0) add_ghost(a, at, offset, g);
+    }
 }
 
 /* g_i = G / rho_c + sum over ghosts of w x offset. */
 static void add_constants(const struct heat_operator *a, const struct problem *p, const struct options *o,
                           double *g) {
     const struct lattice *l = &a->lattice;
-    int rx = a->reach[0], ry = a->reach[1];
-    for (int j = 0; j < l->n[1] && p->source; j++)
-        for (int i = 0; i < l->n[0]; i++) {
-            double x[2];
-            layout_position(l, i, j, x);
-            g[operator_row(a, j) + i] = p->source(p, x) / p->material[0].rho_c;
-        }
-    for (int j = -ry; j < l->n[1] + ry; j++) {
-        int past = j >= 0 && j < l->n[1] ? l->n[0] : 0; /* the particles between the ghosts of this row */
-        for (int i = -rx; i < l->n[0] + rx; i += i == -1 ? 1 + past : 1) {
-            int from[2], side[2] = {ghost_side(l, 0, i, &from[0]), ghost_side(l, 1, j, &from[1])};
-            double ghost[2], source[2];
-            layout_position(l, i, j, ghost);
-            layout_position(l, from[0], from[1], source);
-            double offset = layout_ghost_offset(p, o->walls, l, side, ghost, source);
-            if (offset != 0) add_ghost(a, i, j, offset, g);
-        }
-    }
+    for (int k = 0; k < l->n[2] && p->source; k++)
+        for (int j = 0; j < l->n[1]; j++)
+            for (int i = 0; i < l->n[0]; i++) {
+                double x[DIM_MAX];
+                layout_position(l, i, j, k, x);
+                g[operator_place(a, j, k) + i] = p->source(p, x) / p->material[0].rho_c;
+            }
+    for (int k = -a->reach[2]; k < l->n[2] + a->reach[2]; k++)
+        for (int j = -a->reach[1]; j < l->n[1] + a->reach[1]; j++) add_ghosts(a, p, o, j, k, g);
 }
 
 static void count_pairs(struct heat_operator *a) {
     size_t pairs = 0;
-    for (int j = 0; j <= a->reach[1]; j++)
-        for (int i = 0; i <= a->reach[0]; i++)
-            if ((i || j) && a->weight[j * (a->reach[0] + 1) + i] != 0) pairs += (size_t)((i ? 2 : 1) * (j ? 2 : 1));
+    for (int k = 0; k <= a->reach[2]; k++)
+        for (int j = 0; j <= a->reach[1]; j++)
+            for (int i = 0; i <= a->reach[0]; i++)
+                if ((i || j || k) && a->weight[operator_offset(a->reach, i, j, k)] != 0)
+                    pairs += (size_t)operator_images(i, j, k);
     a->pairs = pairs * a->n;
 }
 
@@ -194,9 +255,11 @@ static ptrdiff_t stride_of(int n, int reach) {
 static int take_stencil(struct heat_operator *a, const struct problem *p, const struct options *o,
                         const struct scheme *s, struct failure *why) {
     const struct lattice *l = &a->lattice;
-    double stretch = l->dim == 2 ? l->dx[0] / l->dx[1] : 1; /* as on a square lattice */
-    double kappa[2] = {p->material[0].k[0] / p->material[0].rho_c,
-                       p->material[0].k[1] / p->material[0].rho_c * stretch * stretch};
+    double kappa[DIM_MAX];
+    for (int d = 0; d < l->dim; d++) {
+        double stretch = l->dx[0] / l->dx[d]; /* as on a cubic lattice */
+        kappa[d] = p->material[0].k[d] / p->material[0].rho_c * stretch * stretch;
+    }
     if (operator_stencil(p, o, s, l->dx[0], kappa, a->reach, &a->weight, why)) return why->status;
     for (int d = 0; d < l->dim; d++)
         if (l->n[d] < a->reach[d] + 2)
@@ -205,8 +268,9 @@ static int take_stencil(struct heat_operator *a, const struct problem *p, const 
                           "--dx or --h",
                           o->dx, l->n[d], a->reach[d]);
     a->stride = stride_of(l->n[0], a->reach[0]);
-    a->state = (size_t)a->stride * (size_t)(l->n[1] + 2 * a->reach[1]);
-    a->bytes = sizeof(double) * (size_t)(a->reach[0] + 1) * (size_t)(a->reach[1] + 1);
+    a->plane = a->stride * (l->n[1] + 2 * a->reach[1]);
+    a->state = (size_t)a->plane * (size_t)(l->n[2] + 2 * a->reach[2]);
+    a->bytes = sizeof(double) * (operator_offset(a->reach, a->reach[0], a->reach[1], a->reach[2]) + 1);
     count_pairs(a);
     a->constant = has_constants(a, p);
     if (a->constant) a->bytes += a->state * sizeof *a->g;
@@ -215,8 +279,10 @@ static int take_stencil(struct heat_operator *a, const struct problem *p, const 
 
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why) {
-    *a = (struct heat_operator){
-        .n = (size_t)l->n[0] * (size_t)l->n[1], .lattice = *l, .threads = o->threads, .lanes = o->lanes};
+    *a = (struct heat_operator){.n = (size_t)l->n[0] * (size_t)l->n[1] * (size_t)l->n[2],
+                                .lattice = *l,
+                                .threads = o->threads,
+                                .lanes = o->lanes};
     int status = take_stencil(a, p, o, s, why);
     if (status) {
         operator_free(a);
@@ -259,9 +325,10 @@ void operator_row_take(const struct heat_operator *a, size_t i, struct row *r) {
 double operator_bound(const struct heat_operator *a) {
     double most = 0;
     if (a->weight) {
-        for (int j = 0; j <= a->reach[1]; j++)
-            for (int i = 0; i <= a->reach[0]; i++)
-                most += fabs(a->weight[j * (a->reach[0] + 1) + i]) * (i ? 2 : 1) * (j ? 2 : 1);
+        for (int k = 0; k <= a->reach[2]; k++)
+            for (int j = 0; j <= a->reach[1]; j++)
+                for (int i = 0; i <= a->reach[0]; i++)
+                    most += fabs(a->weight[operator_offset(a->reach, i, j, k)]) * operator_images(i, j, k);
         return most;
     }
     for (size_t i = 0; i < a->n; i++) {

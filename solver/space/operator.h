@@ -80,10 +80,11 @@ struct scheme {                   /* neighbour weights of a particle method; the
 struct heat_operator {
     size_t n; /* number of particles */
     struct lattice lattice;
-    int reach[2];     /* stencil radius along each axis, in particles */
-    ptrdiff_t stride; /* doubles from row to row of a state, with ghosts and padding for whole vectors */
-    double *weight;   /* s^-1, quadrant w[j * (reach[0] + 1) + i], the rest by symmetry; NULL off the lattice */
-    size_t *row;      /* n + 1 */
+    int reach[DIM_MAX]; /* stencil radius along each axis, in particles; 0 past dim */
+    ptrdiff_t stride;   /* doubles from row to row of a state, with ghosts and padding for whole vectors */
+    ptrdiff_t plane;    /* doubles from plane to plane */
+    double *weight; /* s^-1, octant at operator_offset(reach, i, j, k), the rest by symmetry; NULL off the lattice */
+    size_t *row;    /* n + 1 */
     uint32_t *column; /* row[n] */
     double *value;    /* s^-1, row[n] */
     double *diagonal; /* s^-1, n */
@@ -105,6 +106,19 @@ static inline ptrdiff_t operator_row(const struct heat_operator *a, ptrdiff_t j)
     return (j + a->reach[1]) * a->stride + a->reach[0];
 }
 
+/* The same in plane k of a box. */
+static inline ptrdiff_t operator_place(const struct heat_operator *a, ptrdiff_t j, ptrdiff_t k) {
+    return (k + a->reach[2]) * a->plane + operator_row(a, j);
+}
+
+/* Index of the weight of the offset (i, j, k) >= 0, and the number of offsets (+-i, +-j, +-k). */
+static inline size_t operator_offset(const int reach[DIM_MAX], int i, int j, int k) {
+    return (size_t)((k * (reach[1] + 1) + j) * (reach[0] + 1) + i);
+}
+static inline int operator_images(int i, int j, int k) {
+    return (i ? 2 : 1) * (j ? 2 : 1) * (k ? 2 : 1);
+}
+
 /* For a lattice of one material. */
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why);
@@ -122,10 +136,10 @@ int operator_weights(const struct scheme *s, const struct problem *p, const stru
 int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][DIM_MAX], struct neighbourhood *nb,
                            struct failure *why);
 
-/* The stencil of a scheme on an unbounded square lattice of spacing dx (m) with diffusivity kappa (m^2 s^-1).
- * *weight is a quadrant as in struct heat_operator; the caller frees it. */
+/* The stencil of a scheme on an unbounded cubic lattice of spacing dx (m) with diffusivity kappa (m^2 s^-1, dim
+ * values).  *weight is an octant as in struct heat_operator; the caller frees it. */
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
-                     const double kappa[2], int *reach, double **weight, struct failure *why);
+                     const double *kappa, int reach[DIM_MAX], double **weight, struct failure *why);
 
 struct row;
 /* Replaces *r by row i of an operator off the lattice. */

@@ -29,16 +29,19 @@ static double b_spline(int m, double u) {
     return u < 1 ? 2.0 / 3 - u * u * (1 - u / 2) : u < 2 ? (2 - u) * (2 - u) * (2 - u) / 6 : 0;
 }
 
-static inline double continued(const struct problem *p, double x, double y);
+static inline double continued(const struct problem *p, const double *x);
 
 /* T0 beyond side s: T0(x) = sign T0(image) + offset, or that of the opposite side where they are periodic. */
-static double reflected(const struct problem *p, enum side s, double x, double y) {
+static double reflected(const struct problem *p, enum side s, const double *x) {
     int a = (int)s / 2;
-    double period = s % 2 ? p->hi[a] - p->lo[a] : p->lo[a] - p->hi[a];
-    if (p->side[s] == PERIODIC) return a ? continued(p, x, y - period) : continued(p, x - period, y);
-    double wall = s % 2 ? p->hi[a] : p->lo[a], beyond = fabs((a ? y : x) - wall);
-    double foot[2] = {a ? x : wall, a ? wall : y}, value = p->wall(p, s, foot, 0);
-    double inside = a ? continued(p, x, 2 * wall - y) : continued(p, 2 * wall - x, y);
+    double image[DIM_MAX] = {0}, foot[DIM_MAX] = {0};
+    for (int d = 0; d < p->dim; d++) image[d] = foot[d] = x[d];
+    double wall = s % 2 ? p->hi[a] : p->lo[a], beyond = fabs(x[a] - wall), period = p->hi[a] - p->lo[a];
+    image[a] = p->side[s] == PERIODIC ? (s % 2 ? x[a] - period : x[a] + period) : 2 * wall - x[a];
+    double inside = continued(p, image);
+    if (p->side[s] == PERIODIC) return inside;
+    foot[a] = wall;
+    double value = p->wall(p, s, foot, 0);
     if (p->side[s] == DIRICHLET) return 2 * value - inside;
     if (p->side[s] == ROBIN) {
         double ratio = p->robin[s] * beyond / p->material[layout_material(p, foot[0])].k[a];
@@ -47,30 +50,34 @@ static double reflected(const struct problem *p, enum side s, double x, double y
     return inside + value * 2 * beyond / p->material[layout_material(p, foot[0])].k[a];
 }
 
-/* T0, extended beyond the walls; beyond a corner, between possibly different sides, the mean of both orders, as for
- * ghosts. */
-static inline double continued(const struct problem *p, double x, double y) {
-    int beyond_x = x < p->lo[0] ? X_LO : x > p->hi[0] ? X_HI : -1;
-    int beyond_y = p->dim < 2 ? -1 : y < p->lo[1] ? Y_LO : y > p->hi[1] ? Y_HI : -1;
-    if (beyond_x >= 0 && beyond_y >= 0)
-        return 0.5 * (reflected(p, (enum side)beyond_x, x, y) + reflected(p, (enum side)beyond_y, x, y));
-    if (beyond_x >= 0) return reflected(p, (enum side)beyond_x, x, y);
-    if (beyond_y >= 0) return reflected(p, (enum side)beyond_y, x, y);
-    return p->initial(p, (const double[2]){x, y});
+/* T0, extended beyond the walls; beyond an edge or a corner, between possibly different sides, the mean of all
+ * orders, as for ghosts. */
+static inline double continued(const struct problem *p, const double *x) {
+    double sum = 0;
+    int sides = 0;
+    for (int a = 0; a < p->dim; a++) {
+        if (!(x[a] < p->lo[a]) && !(x[a] > p->hi[a])) continue;
+        sum += reflected(p, (enum side)(2 * a + (x[a] > p->hi[a])), x);
+        sides++;
+    }
+    return sides ? sum / sides : p->initial(p, x);
 }
 
 /* The odd extension of data that match a wall's value is smooth up to a jump of the second derivative.  Averages
  * then have an error of O(dx^2) in the layer next to the wall, which cancels this jump except for a dipole of
  * O(dx^4). */
 int sample_meets_wall(const struct problem *p, const struct lattice *l, enum side s) {
-    int axis = (int)s / 2, along = 1 - axis;
-    for (int i = 0; i < l->n[along]; i++) {
-        double foot[2];
+    int axis = (int)s / 2, along = axis == 0, across = axis == 2 ? 1 : 2;
+    for (int line = 0; line < l->n[along] * l->n[across]; line++) {
+        int at[DIM_MAX] = {0};
+        double foot[DIM_MAX];
+        at[along] = line % l->n[along], at[across] = line / l->n[along];
+        layout_position(l, at[0], at[1], at[2], foot);
         foot[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
-        foot[along] = l->first[along] + i * l->dx[along];
         double start = p->initial(p, foot), value = p->wall(p, s, foot, 0), size = fabs(start) + fabs(value);
         for (int part = 1; part < 4; part++) { /* values at the quarters give the scale for round-off */
-            double x[2] = {foot[0], foot[1]};
+            double x[DIM_MAX] = {0};
+            memcpy(x, foot, (size_t)l->dim * sizeof *x);
             x[axis] = p->lo[axis] + part / 4.0 * (p->hi[axis] - p->lo[axis]);
             size = fmax(size, fabs(p->initial(p, x)));
         }
@@ -211,9 +218,13 @@ static void rule_free(struct rule *r) {
     free(r->begin);
 }
 
-/* T[i] for the particles along x, at y; value: work space of x->nodes */
-static void average_row(const struct problem *p, const struct rule *x, int n, double y, double *value, double *T) {
-    for (size_t k = 0; k < x->nodes; k++) value[k] = continued(p, x->node[k], y);
+/* T[i] for the particles along x, at y = at[1] and z = at[2]; value: work space of x->nodes */
+static void average_row(const struct problem *p, const struct rule *x, int n, double at[DIM_MAX], double *value,
+                        double *T) {
+    for (size_t k = 0; k < x->nodes; k++) {
+        at[0] = x->node[k];
+        value[k] = continued(p, at);
+    }
     for (int i = 0; i < n; i++) {
         const double *v = value + x->first[i], *w = x->weight + x->begin[i];
         double sum = 0;
@@ -222,61 +233,89 @@ static void average_row(const struct problem *p, const struct rule *x, int n, do
     }
 }
 
-void sample_lattice(const struct problem *p, enum sampling sampling, const struct lattice *l, double *T) {
-    int nx = l->n[0], ny = l->n[1], m = sampling == SAMPLING_CELL ? 1 : 4;
-    if (sampling == SAMPLING_POINT) {
-        double *x = xcalloc((size_t)nx, sizeof *x), at[2];
-        for (int i = 0; i < nx; i++) {
-            layout_position(l, i, 0, at);
-            x[i] = at[0];
+/* Adds the part of node k of a rule to the averages T of n rows, planes or boxes of `size` values each. */
+static void add_node(const struct rule *r, size_t k, int n, size_t size, const double *part, double *T) {
+    for (int j = 0; j < n; j++) {
+        if (k < r->first[j] || k - r->first[j] >= r->begin[j + 1] - r->begin[j]) continue;
+        double w = r->weight[r->begin[j] + k - r->first[j]], *to = T + (size_t)j * size;
+        for (size_t i = 0; i < size; i++) to[i] += w * part[i];
+    }
+}
+
+/* The averages along the first `dim` axes, at the other coordinates of `at`. */
+static void average(const struct problem *p, const struct rule *rules, int dim, const struct lattice *l,
+                    double at[DIM_MAX], double *T) {
+    const struct rule *last = &rules[dim - 1];
+    size_t size = 1;
+    for (int a = 0; a + 1 < dim; a++) size *= (size_t)l->n[a];
+    double *part = xcalloc(dim == 1 ? last->nodes : size, sizeof *part);
+    if (dim == 1) {
+        average_row(p, last, l->n[0], at, part, T);
+    } else {
+        memset(T, 0, size * (size_t)l->n[dim - 1] * sizeof *T);
+        for (size_t k = 0; k < last->nodes; k++) {
+            at[dim - 1] = last->node[k];
+            average(p, rules, dim - 1, l, at, part);
+            add_node(last, k, l->n[dim - 1], size, part, T);
         }
-        for (int j = 0; j < ny; j++) {
-            layout_position(l, 0, j, at);
-            for (int i = 0; i < nx; i++) {
+    }
+    free(part);
+}
+
+static void sample_points(const struct problem *p, const struct lattice *l, double *T) {
+    double *x = xcalloc((size_t)l->n[0], sizeof *x), at[DIM_MAX];
+    for (int i = 0; i < l->n[0]; i++) {
+        layout_position(l, i, 0, 0, at);
+        x[i] = at[0];
+    }
+    for (int k = 0; k < l->n[2]; k++)
+        for (int j = 0; j < l->n[1]; j++) {
+            layout_position(l, 0, j, k, at);
+            for (int i = 0; i < l->n[0]; i++) {
                 at[0] = x[i];
                 *T++ = p->initial(p, at);
             }
         }
-        free(x);
-        return;
-    }
-    struct axis ax = axis_of(p, m, l, 0), ay = axis_of(p, m, l, 1);
-    struct rule x = rule_create(&ax), y = {0};
-    int square = l->dim == 2 && is_same_axis(&ax, &ay);
-    double *value = xcalloc(x.nodes, sizeof *value), *row = xcalloc((size_t)nx, sizeof *row);
-    if (l->dim == 1)
-        average_row(p, &x, nx, 0, value, T);
-    else {
-        y = square ? x : rule_create(&ay);
-        memset(T, 0, (size_t)nx * (size_t)ny * sizeof *T);
-    }
-    for (size_t k = 0; k < y.nodes; k++) {
-        average_row(p, &x, nx, y.node[k], value, row);
-        for (int j = 0; j < ny; j++) {
-            if (k < y.first[j] || k - y.first[j] >= y.begin[j + 1] - y.begin[j]) continue;
-            double w = y.weight[y.begin[j] + k - y.first[j]], *to = T + (size_t)j * (size_t)nx;
-            for (int i = 0; i < nx; i++) to[i] += w * row[i];
-        }
-    }
-    rule_free(&x);
-    if (!square) rule_free(&y);
-    free(value);
-    free(row);
+    free(x);
 }
 
-double sample_initial(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]) {
+void sample_lattice(const struct problem *p, enum sampling sampling, const struct lattice *l, double *T) {
+    struct axis axis[DIM_MAX];
+    struct rule rules[DIM_MAX];
+    double at[DIM_MAX] = {0};
+    int owner[DIM_MAX]; /* the first axis with the same rule */
+    if (sampling == SAMPLING_POINT) {
+        sample_points(p, l, T);
+        return;
+    }
+    for (int a = 0; a < l->dim; a++) {
+        axis[a] = axis_of(p, sampling == SAMPLING_CELL ? 1 : 4, l, a);
+        for (owner[a] = 0; owner[a] < a && !is_same_axis(&axis[a], &axis[owner[a]]);) owner[a]++;
+        rules[a] = owner[a] == a ? rule_create(&axis[a]) : rules[owner[a]];
+    }
+    average(p, rules, l->dim, l, at, T);
+    for (int a = 0; a < l->dim; a++)
+        if (owner[a] == a) rule_free(&rules[a]);
+}
+
+double sample_initial(const struct problem *p, enum sampling sampling, const double *dx, const double *x) {
     double T;
-    struct lattice l = {.dim = p->dim, .n = {1, 1}, .dx = {dx[0], dx[1]}, .first = {x[0], x[1]}};
+    struct lattice l = {.dim = p->dim, .n = {1, 1, 1}, .dx = {1, 1, 1}};
+    memcpy(l.dx, dx, (size_t)p->dim * sizeof *dx);
+    memcpy(l.first, x, (size_t)p->dim * sizeof *x);
     sample_lattice(p, sampling, &l, &T);
     return T;
 }
 
-double sample_cell(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]) {
+double sample_cell(const struct problem *p, enum sampling sampling, const double *dx, const double *x) {
     double beyond = layout_beyond(p, dx[0], x[0]), heat = 0;
     if (beyond == 0 || beyond == 1) return sample_initial(p, sampling, dx, x);
     for (int m = 0; m < 2; m++) {
-        double part[2] = {(m ? beyond : 1 - beyond) * dx[0], dx[1]};
-        double middle[2] = {p->interface + (m ? part[0] : -part[0]) / 2, x[1]};
+        double part[DIM_MAX] = {0}, middle[DIM_MAX] = {0};
+        memcpy(part, dx, (size_t)p->dim * sizeof *part);
+        memcpy(middle, x, (size_t)p->dim * sizeof *middle);
+        part[0] = (m ? beyond : 1 - beyond) * dx[0];
+        middle[0] = p->interface + (m ? part[0] : -part[0]) / 2;
         heat += p->material[m].rho_c * part[0] * sample_initial(p, sampling, part, middle);
     }
     return heat / (dx[0] * layout_rho_c(p, dx[0], x[0]));

@@ -2,11 +2,11 @@
 /* The matched run: fourth order from a second-order operator and Euler's method, also for data with jumps.
  *
  * On a lattice of spacing dx the symbol of the operator is, with theta = xi dx,
- *   lambda = (kappa / dx^2) (-|theta|^2 + A (theta_x^4 + theta_y^4) + B theta_x^2 theta_y^2 + O(theta^6)),
+ *   lambda = (kappa / dx^2) (-|theta|^2 + A sum_a theta_a^4 + B sum_(a<b) theta_a^2 theta_b^2 + O(theta^6)),
  *   A = sum_j w_j x_j^4 / (24 kappa dx^2),   B = sum_j w_j x_j^2 y_j^2 / (4 kappa dx^2)      (w in s^-1).
  * Euler's n = t/dt steps multiply a mode by (1 + dt lambda)^n = exp(n (dt lambda - (dt lambda)^2 / 2 + ...)).  The
  * exponent divided by t is
- *   -kappa |xi|^2 + kappa dx^2 (A (xi_x^4 + xi_y^4) + B xi_x^2 xi_y^2) - (dt/2) kappa^2 |xi|^4 + O(dx^4).
+ *   -kappa |xi|^2 + kappa dx^2 (A sum_a xi_a^4 + B sum_(a<b) xi_a^2 xi_b^2) - (dt/2) kappa^2 |xi|^4 + O(dx^4).
  * With isotropy, B = 2 A, the leading error is A |xi|^4.  Steps with F = kappa dt / dx^2 = 2 A cancel it, and the
  * remaining error is O(dx^4).  A run is rarely a whole number of such steps, and a rounded number would leave an
  * error that jumps from rung to rung.  The condition is on the sum of dt^2: an even number n of steps, at least t /
@@ -18,13 +18,13 @@
  * with t_m = m dx^2 / (24 kappa), along each axis.  The run therefore starts at t_m.  Point samples of a jump midway
  * between particles have the spectrum of the jump times (theta/2) / sin(theta/2), equivalent to m = -1.  Point
  * samples of smooth data have m = 0.  Other point samples are refused: a jump elsewhere (including a wall with a
- * value that differs from the data), a jump along one axis only, data that vary between jumps.  Aliasing adds an
+ * value that differs from the data), a jump along some axes only, data that vary between jumps.  Aliasing adds an
  * error O(dx^(m+1)), from the zeros of order m at the multiples of 2 pi / dx, so m = 4 keeps fourth order for a jump
  * at any place.
  *
  * Source: in the steady state L T = -G, Euler's method has no error, and the operator leaves A dx^2 / kappa L^2
  * T = -A dx^2 / kappa L G.  In a transient Euler's error (dt/2) T_tt contains (dt/2) L G in addition to (dt/2) L^2
- * T.  In both cases the source must be G + A dx^2 / kappa L G, on the lattice G + A (D_x^2 + D_y^2) G with second
+ * T.  In both cases the source must be G + A dx^2 / kappa L G, on the lattice G + A sum_a D_a^2 G with second
  * differences D^2.
  *
  * Limits: no sixth order, and no other lattice.  Let the next term of the symbol be -C (theta_x^6 + theta_y^6) - D
@@ -47,23 +47,26 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* From a quadrant of weights in units of kappa / dx^2. */
-static struct symbol_error symbol_of(const int reach[2], const double *w, double unit) {
+/* From an octant of weights in units of kappa / dx^2. */
+static struct symbol_error symbol_of(const int reach[DIM_MAX], const double *w, double unit) {
     struct symbol_error e = {0, 0};
-    for (int j = 0; j <= reach[1]; j++)
-        for (int i = 0; i <= reach[0]; i++) {
-            double all = w[j * (reach[0] + 1) + i] / unit * (i ? 2 : 1) * (j ? 2 : 1), x2 = i * i, y2 = j * j;
-            e.A += all * x2 * x2 / 24;
-            e.B += all * x2 * y2 / 4;
-        }
+    for (int k = 0; k <= reach[2]; k++)
+        for (int j = 0; j <= reach[1]; j++)
+            for (int i = 0; i <= reach[0]; i++) {
+                double all = w[operator_offset(reach, i, j, k)] / unit * operator_images(i, j, k);
+                double x2 = i * i, y2 = j * j;
+                e.A += all * x2 * x2 / 24;
+                e.B += all * x2 * y2 / 4;
+            }
     return e;
 }
 
 int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
                    struct failure *why) {
-    struct problem unit = {.dim = dim, .hi = {1, 1}, .materials = 1, .material = {{{1, 1}, 1}}, .wall = problem_held};
-    double kappa[2] = {1, 1}, *w;
-    int reach[2];
+    struct problem unit = {
+        .dim = dim, .hi = {1, 1, 1}, .materials = 1, .material = {{{1, 1, 1}, 1}}, .wall = problem_held};
+    double kappa[DIM_MAX] = {1, 1, 1}, *w;
+    int reach[DIM_MAX];
     if (operator_stencil(&unit, o, s, 1, kappa, reach, &w, why)) return why->status;
     *e = symbol_of(reach, w, 1);
     free(w);
@@ -71,6 +74,7 @@ int matched_symbol(int dim, const struct options *o, const struct scheme *s, str
 }
 
 struct isotropy {
+    int dim;
     struct options o;
     const struct scheme *s;
     double end[2], value[2]; /* known values at the ends of a bracket */
@@ -83,7 +87,7 @@ static double anisotropy(double h, void *context) {
     for (int k = 0; k < 2; k++)
         if (h == c->end[k]) return c->value[k];
     c->o.h = h;
-    return matched_symbol(2, &c->o, c->s, &e, &ignored) ? NAN : e.B - 2 * e.A;
+    return matched_symbol(c->dim, &c->o, c->s, &e, &ignored) ? NAN : e.B - 2 * e.A;
 }
 
 /* Root in [lo, hi] by Brent's method; at_lo and at_hi are the values at the ends. */
@@ -109,9 +113,9 @@ static int check_order(const struct options *o, const char *option, struct failu
                   option, o->order);
 }
 
-int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why) {
+int matched_isotropic(int dim, const struct options *o, const struct scheme *s, double *h, struct failure *why) {
     if (check_order(o, "--h iso", why)) return why->status;
-    struct isotropy c = {.o = *o, .s = s};
+    struct isotropy c = {.dim = dim == 3 ? 3 : 2, .o = *o, .s = s};
     const double middle = 1.2, step = 1.0 / 16, least = 0.75, most = 3;
     double above = anisotropy(middle, &c), below = above, best = NAN;
     /* Search outward from 1.2.  The weight of a new neighbour starts from zero, so B - 2 A is continuous in h and a
@@ -145,29 +149,33 @@ static int find_jumps(const struct problem *p, const struct lattice *l, int axis
 
 /* 1 if the data differ between two neighbours with no plane between them. */
 static int varies(const struct problem *p, const struct lattice *l, int axis, const double *plane, int planes) {
-    for (int j = 0; j < l->n[1] - (axis == 1); j++)
-        for (int i = 0; i < l->n[0] - (axis == 0); i++) {
-            double x[2], next[2];
-            int apart = 0;
-            layout_position(l, i, j, x);
-            layout_position(l, i + (axis == 0), j + (axis == 1), next);
-            for (int k = 0; k < planes; k++) apart |= x[axis] < plane[k] && plane[k] < next[axis];
-            if (!apart && p->initial(p, x) != p->initial(p, next)) return 1;
-        }
+    for (int k = 0; k < l->n[2] - (axis == 2); k++)
+        for (int j = 0; j < l->n[1] - (axis == 1); j++)
+            for (int i = 0; i < l->n[0] - (axis == 0); i++) {
+                double x[DIM_MAX], next[DIM_MAX];
+                int apart = 0;
+                layout_position(l, i, j, k, x);
+                layout_position(l, i + (axis == 0), j + (axis == 1), k + (axis == 2), next);
+                for (int m = 0; m < planes; m++) apart |= x[axis] < plane[m] && plane[m] < next[axis];
+                if (!apart && p->initial(p, x) != p->initial(p, next)) return 1;
+            }
     return 0;
 }
 
 /* 1 if T_nnnn is not zero on some Dirichlet side: there is a source, or the wall value varies along the side. */
 static int walls_bend(const struct problem *p, const struct lattice *l) {
     for (int s = 0; s < 2 * l->dim; s++) {
-        int axis = s / 2, along = 1 - axis;
-        double first[2], foot[2];
+        int axis = s / 2, along = axis == 0, across = axis == 2 ? 1 : 2;
+        double first[DIM_MAX], foot[DIM_MAX];
         if (p->side[s] != DIRICHLET) continue;
         if (p->source) return 1;
-        layout_position(l, 0, 0, first);
+        layout_position(l, 0, 0, 0, first);
         first[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
-        for (int i = 1; i < l->n[along]; i++) {
-            foot[axis] = first[axis], foot[along] = first[along] + i * l->dx[along];
+        for (int line = 1; line < l->n[along] * l->n[across]; line++) {
+            int at[DIM_MAX] = {0};
+            at[along] = line % l->n[along], at[across] = line / l->n[along];
+            layout_position(l, at[0], at[1], at[2], foot);
+            foot[axis] = first[axis];
             if (p->wall(p, (enum side)s, foot, 0) != p->wall(p, (enum side)s, first, 0)) return 1;
         }
     }
@@ -176,8 +184,8 @@ static int walls_bend(const struct problem *p, const struct lattice *l) {
 
 int matched_check(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                   struct failure *why) {
-    double plane[2][JUMP_MAX + 2];
-    int jumps[2] = {0, 0}, vary = 0;
+    double plane[DIM_MAX][JUMP_MAX + 2];
+    int jumps[DIM_MAX], jumping = 0, vary = 0; /* number of axes with jumps */
     if (s->sweeps == 2 && walls_bend(p, l))
         return refuse(
             why, STATUS_NOT_APPLICABLE,
@@ -185,7 +193,7 @@ int matched_check(const struct problem *p, const struct options *o, const struct
             "with varying data excites at third order; use so_ssph");
     if (o->sampling != SAMPLING_POINT) return STATUS_OK;
     for (int a = 0; a < p->dim; a++) {
-        jumps[a] = find_jumps(p, l, a, plane[a]);
+        jumps[a] = find_jumps(p, l, a, plane[a]), jumping += jumps[a] > 0;
         for (int k = 0; k < jumps[a]; k++) {
             double at = (plane[a][k] - l->first[a]) / l->dx[a];
             if (fabs(at - floor(at) - 0.5) < 1e-6) continue;
@@ -193,16 +201,18 @@ int matched_check(const struct problem *p, const struct options *o, const struct
                 why, STATUS_NOT_APPLICABLE,
                 "--stepper matched: the initial data jump at %c = %.6g m, not midway between two particles, so point "
                 "samples have no known order; use --sampling spline",
-                "xy"[a], plane[a][k]);
+                "xyz"[a], plane[a][k]);
         }
         vary |= varies(p, l, a, plane[a], jumps[a]);
     }
-    if ((jumps[0] || jumps[1]) && (vary || (p->dim == 2 && !(jumps[0] && jumps[1]))))
+    if (jumping > 0 && (vary || jumping < p->dim))
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--stepper matched: the initial data jump %s: point samples of jumps and of smooth data start "
                       "at different times; "
                       "use --sampling spline",
-                      vary ? "and vary between the jumps" : "along one axis only");
+                      vary          ? "and vary between the jumps"
+                      : jumping > 1 ? "along two axes only"
+                                    : "along one axis only");
     return STATUS_OK;
 }
 
@@ -222,19 +232,20 @@ void matched_source(const struct problem *p, const struct options *o, struct hea
     const struct lattice *l = &a->lattice;
     double unit = p->material[0].k[0] / p->material[0].rho_c / (l->dx[0] * l->dx[0]), late = start_time(p, o, l);
     double A = symbol_of(a->reach, a->weight, unit).A;
-    for (int j = 0; j < l->n[1] && p->source && a->g; j++)
-        for (int i = 0; i < l->n[0]; i++) {
-            double x[2], beside[2], G, around = 0;
-            layout_position(l, i, j, x);
-            G = p->source(p, x) / p->material[0].rho_c;
-            for (int step = -1; step < 2; step += 2)
-                for (int d = 0; d < l->dim; d++) {
-                    layout_position(l, i + (d == 0) * step, j + (d == 1) * step, beside);
-                    around += p->source(p, beside) / p->material[0].rho_c - G;
-                }
-            a->g[operator_row(a, j) + i] += A * around;
-            T[(size_t)j * (size_t)l->n[0] + (size_t)i] += late * G;
-        }
+    for (int k = 0; k < l->n[2] && p->source && a->g; k++)
+        for (int j = 0; j < l->n[1]; j++)
+            for (int i = 0; i < l->n[0]; i++) {
+                double x[DIM_MAX], beside[DIM_MAX], G, around = 0;
+                layout_position(l, i, j, k, x);
+                G = p->source(p, x) / p->material[0].rho_c;
+                for (int step = -1; step < 2; step += 2)
+                    for (int d = 0; d < l->dim; d++) {
+                        layout_position(l, i + (d == 0) * step, j + (d == 1) * step, k + (d == 2) * step, beside);
+                        around += p->source(p, beside) / p->material[0].rho_c - G;
+                    }
+                a->g[operator_place(a, j, k) + i] += A * around;
+                *T++ += late * G;
+            }
 }
 
 /* F = 2 A, or the step given by the user. */
@@ -248,9 +259,9 @@ static int matching_step(const struct problem *p, const struct options *o, const
         e = symbol_of(a->reach, a->weight, unit);
     else if (matched_symbol(p->dim, o, s, &e, why)) /* rows of a periodic lattice */
         return why->status;
-    if (p->dim == 2 && !(fabs(e.B - 2 * e.A) < 1e-9 * fabs(e.A))) {
+    if (p->dim > 1 && !(fabs(e.B - 2 * e.A) < 1e-9 * fabs(e.A))) {
         double iso;
-        if (matched_isotropic(o, s, &iso, why)) return why->status;
+        if (matched_isotropic(p->dim, o, s, &iso, why)) return why->status;
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--h %.12g: not isotropic (A = %.4g, B = %.4g; B = 2 A is required), so no step matches; use "
                       "--h iso (%.12g)",
@@ -267,7 +278,7 @@ static int matching_step(const struct problem *p, const struct options *o, const
 static int plan(const struct problem *p, const struct options *o, const struct scheme *s,
                 const struct heat_operator *a, struct march *m, struct failure *why) {
     struct lattice l = a->lattice;
-    if (!a->weight && layout_lattice(p, o, 1, &l, why)) return why->status;
+    if (!a->weight && layout_lattice(p, o, &l, why)) return why->status;
     double F, kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = l.dx[0] * l.dx[0];
     if (o->dt > 0) return refuse(why, STATUS_INPUT, "--stepper matched: sets its own step; omit --dt");
     if (matching_step(p, o, s, a, kappa / dx2, &F, why)) return why->status;

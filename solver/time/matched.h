@@ -7,18 +7,20 @@
 /* The matched run: the time step and the initial data that make a second-order operator with Euler's method fourth
  * order. */
 
-/* Leading error of a scheme's symbol, kappa (-|theta|^2 + A (theta_x^4 + theta_y^4) + B theta_x^2 theta_y^2) / dx^2.
+/* Leading error of a scheme's symbol, kappa (-|theta|^2 + A sum_a theta_a^4 + B sum_(a<b) theta_a^2 theta_b^2) /
+ * dx^2.
  */
 struct symbol_error {
     double A, B;
 };
 
-/* Symbol of the scheme at o->h on a square lattice of dimension dim. */
+/* Symbol of the scheme at o->h on a cubic lattice of dimension dim. */
 int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
                    struct failure *why);
 
-/* The h/dx closest to 1.2 with an isotropic error (B = 2 A), to 1e-12.  Refuses if there is none. */
-int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why);
+/* The h/dx closest to 1.2 with an isotropic error (B = 2 A) on that lattice, on a rod that of the plane, to 1e-12.
+ * Refuses if there is none. */
+int matched_isotropic(int dim, const struct options *o, const struct scheme *s, double *h, struct failure *why);
 
 /* Refuses initial data of unknown order, see matched.c. */
 int matched_check(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,

@@ -21,9 +21,11 @@
 /* The lattice (solver/space/layout.h) of a field: points half a spacing inside the walls, or on them, without those
  * on a Dirichlet wall and with those on a Neumann wall. */
 static struct lattice lattice_of(const struct problem *p, const struct field *f) {
-    struct lattice l = {.dim = f->dim, .n = {f->shape[0], f->shape[1]}};
+    struct lattice l = {.dim = f->dim, .n = {1, 1, 1}};
+    for (int a = 0; a < f->dim; a++) l.n[a] = f->shape[a];
+    const double *const at[DIM_MAX] = {f->x, f->y, f->z};
     for (int s = 0; s < 2 * f->dim; s++) {
-        const double *x = s / 2 ? f->y : f->x;
+        const double *x = at[s / 2];
         int half = fabs((x[0] - p->lo[s / 2]) / f->spacing[s / 2] - 0.5) < 0.25;
         l.sign[s] = p->side[s] == DIRICHLET ? -1 : 1;
         l.shift[s] = half ? 0 : l.sign[s];
@@ -37,23 +39,26 @@ static double doubled(double theta) {
 }
 
 static double largest(const struct lattice *l, const double *Y) {
-    double most = 0, spacings = transform_scale(l) / (l->dim == 2 ? 4 : 2);
-    for (int j = 0; j < l->n[1]; j++) {
-        double theta_y = l->dim == 2 ? transform_angle(l, 1, j) : 0, ends = l->dim == 2 ? doubled(theta_y) : 1;
-        for (int i = 0; i < l->n[0]; i++) {
-            double theta_x = transform_angle(l, 0, i);
-            if (fmax(theta_x, theta_y) < M_PI / 2) continue;
-            double amplitude =
-                fabs(Y[(size_t)j * (size_t)l->n[0] + (size_t)i]) / (spacings * ends * doubled(theta_x));
-            if (!(amplitude <= most)) most = amplitude;
-            if (isnan(most)) return most;
+    double most = 0, spacings = transform_scale(l) / (1 << l->dim);
+    size_t n = (size_t)l->n[0] * (size_t)l->n[1] * (size_t)l->n[2];
+    for (size_t i = 0; i < n; i++) {
+        double highest = 0, times = spacings;
+        size_t rest = i;
+        for (int a = 0; a < l->dim; rest /= (size_t)l->n[a++]) {
+            double theta = transform_angle(l, a, (int)(rest % (size_t)l->n[a]));
+            highest = fmax(highest, theta), times *= doubled(theta);
         }
+        if (highest < M_PI / 2) continue;
+        double amplitude = fabs(Y[i]) / times;
+        if (!(amplitude <= most)) most = amplitude;
+        if (isnan(most)) return most;
     }
     return most;
 }
 
 double checkerboard_amplitude(const struct problem *p, const struct field *f, const double *exact) {
-    if (f->shape[0] < 2 || (f->dim == 2 && f->shape[1] < 2)) return NAN;
+    for (int a = 0; a < f->dim; a++)
+        if (f->shape[a] < 2) return NAN;
     struct lattice l = lattice_of(p, f);
     double *e = xcalloc(f->n, sizeof *e);
     struct transform *t = transform_create(&l);

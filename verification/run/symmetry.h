@@ -8,9 +8,9 @@
 #include "solver/problem.h"
 
 /* Sets *half to *whole, cut at the middle of every axis about which it is even and along which the lattice has an
- * even number of particles; the cut is an insulated side, X_LO or Y_LO.  It refers to *whole. cut[a] is 1 for an
+ * even number of particles; the cut is its insulated low side.  It refers to *whole. cut[a] is 1 for an
  * axis that was cut.  Returns the number of cuts. */
-int symmetry_reduce(const struct problem *whole, const struct options *o, struct problem *half, int cut[2]);
+int symmetry_reduce(const struct problem *whole, const struct options *o, struct problem *half, int cut[DIM_MAX]);
 
 /* Solves the reduced problem and restores the field of the whole; the counts of work and bytes are those of the
  * reduced problem.  Solves the whole problem if nothing can be cut or the option is --domain whole. */

@@ -86,7 +86,7 @@ int model_problem_resolve(struct model_problem *b, int least, struct failure *wh
 int model_problem_cloud(const struct model_problem *b, const struct problem *p, struct cloud *c,
                         struct failure *why) {
     struct lattice l;
-    if (layout_lattice(p, &b->options, 1, &l, why)) return why->status;
+    if (layout_lattice(p, &b->options, &l, why)) return why->status;
     return layout_cloud(p, &b->options, &l, b->method->scheme->sweeps * 2.0 * b->options.h, c, why);
 }
 
@@ -100,7 +100,7 @@ int model_problem_operator(const struct model_problem *b, const struct problem *
     struct lattice l;
     struct cloud c;
     if (!model_problem_has_rows(b)) {
-        if (layout_lattice(p, &b->options, 1, &l, why)) return why->status;
+        if (layout_lattice(p, &b->options, &l, why)) return why->status;
         return operator_create_lattice(a, p, &b->options, s, &l, why);
     }
     if (model_problem_cloud(b, p, &c, why)) return why->status;

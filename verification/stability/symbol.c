@@ -27,7 +27,7 @@ static int from_scheme(struct symbol *s, const struct model_problem *b, struct f
     struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     const double kappa[2] = {1, model_problem_kappa_y(b)};
     double *quadrant;
-    int r[2];
+    int r[DIM_MAX];
     if (operator_stencil(&p, &b->options, b->method->scheme, 1, kappa, r, &quadrant, why)) return why->status;
     reserve(s, b->dim, r[0], r[1]);
     for (int j = -r[1]; j <= r[1]; j++)

@@ -9,7 +9,7 @@
 
 struct symbol {
     int dim;
-    int reach[2];
+    int reach[DIM_MAX];
     double *w; /* the whole stencil, w[(j + reach[1]) (2 reach[0] + 1) + i + reach[0]] */
 };
 

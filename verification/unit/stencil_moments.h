@@ -14,7 +14,7 @@
 #include <string.h>
 
 struct stencil { /* on spacing 1: weights of a quadrant, the rest by symmetry */
-    int reach[2];
+    int reach[DIM_MAX];
     double *w;
 };
 

@@ -172,7 +172,7 @@ static int grows(const struct cloud_case *c) {
     struct spectrum s;
     struct failure why = {0};
     for (int side = 0; side < 4; side++) p.side[side] = c->seed % 2 ? DIRICHLET : NEUMANN;
-    if (layout_lattice(&p, &o, 1, &l, &why) || layout_cloud(&p, &o, &l, 2 * c->h, &cloud, &why) ||
+    if (layout_lattice(&p, &o, &l, &why) || layout_cloud(&p, &o, &l, 2 * c->h, &cloud, &why) ||
         operator_create_csr(&a, &p, &o, method_contact_ssph.scheme, &cloud, 1, &why) ||
         spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, &why))
         fail_msg("%s", why.text);
@@ -305,8 +305,7 @@ static void left_null_vector_conserves_heat(void **state) {
         struct failure why;
         o.jitter = 0.3 * cloud, o.seed = 3;
         p.material[1].k[0] *= 0.1, p.side[X_LO] = p.side[X_HI] = NEUMANN;
-        if (layout_lattice(&p, &o, 1, &lattice, &why) ||
-            layout_cloud(&p, &o, &lattice, 2.2 * lattice.dx[0], &c, &why) ||
+        if (layout_lattice(&p, &o, &lattice, &why) || layout_cloud(&p, &o, &lattice, 2.2 * lattice.dx[0], &c, &why) ||
             operator_create_csr(&a, &p, &o, method_contact_ssph.scheme, &c, lattice.dx[0], &why))
             fail_msg("%s", why.text);
         double *l = xcalloc(2 * a.n, sizeof *l), *sum = l + a.n, all = 0;

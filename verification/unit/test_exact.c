@@ -26,7 +26,7 @@ static struct lattice between(int sides, enum layout_name layout, double dx) {
     struct lattice l;
     struct failure why;
     for (int s = 0; s < 4; s++) p.side[s] = sides >> s & 1 ? NEUMANN : DIRICHLET;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
     return l;
 }
 
@@ -95,7 +95,7 @@ static void robin_angles_solve_their_equation(void **state) {
     (void)state;
     enum { N = 11 };
     for (int power = 3; power <= 50; power += 47 / 3) {
-        struct lattice l = {.dim = 1, .n = {N, 1}, .sign = {1, LAYOUT_ROBIN}, .robin = {0, 1 - ldexp(1, -power)}};
+        struct lattice l = {.dim = 1, .n = {N, 1, 1}, .sign = {1, LAYOUT_ROBIN}, .robin = {0, 1 - ldexp(1, -power)}};
         double b = ldexp(1, -power) / (2 - ldexp(1, -power));
         double slowest = transform_angle(&l, 0, 0);
         assert_near(tan(N * slowest) * tan(slowest / 2) / b, 1, 16 * DBL_EPSILON);
@@ -197,7 +197,7 @@ static void few_modes_and_all_modes_agree(void **state) {
             struct heat_operator a;
             struct failure why;
             for (int s = 0; s < 4; s++) p.side[s] = sides >> s & 1 ? NEUMANN : DIRICHLET;
-            assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+            assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
             assert_int_equal(operator_create_lattice(&a, &p, &o, method_so_ssph.scheme, &l, &why), STATUS_OK);
             free(a.g); /* the homogeneous problem */
             a.g = NULL;
@@ -247,7 +247,7 @@ static void faint_mode_is_kept(void **state) {
     struct lattice l;
     struct heat_operator a;
     struct failure why;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
     assert_int_equal(l.n[0], ACROSS);
     assert_int_equal(operator_create_lattice(&a, &p, &o, method_so_ssph.scheme, &l, &why), STATUS_OK);
     free(a.g); /* the homogeneous problem */
@@ -279,7 +279,7 @@ static void slow_modes_keep_their_rates(void **state) {
         struct heat_operator a;
         struct failure why;
         for (int s = 0; s < 4; s++) p.side[s] = NEUMANN;
-        assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+        assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
         assert_int_equal(operator_create_lattice(&a, &p, &o, method_so_ssph.scheme, &l, &why), STATUS_OK);
         free(a.g); /* the homogeneous problem */
         a.g = NULL;

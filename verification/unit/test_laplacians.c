@@ -90,7 +90,7 @@ static void second_moments_on_the_lattice(void **state) {
                 struct options o = {.dx = 0.05, .h = 1.23, .kernel = (enum kernel_name)k};
                 struct problem p = odd_rectangle();
                 struct failure why;
-                int reach[2];
+                int reach[DIM_MAX];
                 double *w, sum[3] = {0, 0, 0};
                 const double *kappa = unequal ? both : same;
                 p.material[0] = (struct material){{kappa[0], kappa[1]}, 1};
@@ -125,7 +125,7 @@ static double lost(const char *name, double jitter) {
     p.wall = no_flux;
     p.material[0].k[1] = p.material[0].k[0];
     const struct scheme *s = named(name)->scheme;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&p, &o, &l, s->sweeps * 2 * o.h * l.dx[0], &c, &why), STATUS_OK);
     assert_int_equal(operator_create_csr(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
     double *sum = xcalloc(a.n, sizeof *sum), most = 0, size = 0;

@@ -28,7 +28,7 @@ static struct options jittered(double amplitude) {
 
 static void make(const struct problem *p, const struct options *o, double reach, struct lattice *l, struct cloud *c) {
     struct failure why = {0};
-    assert_int_equal(layout_lattice(p, o, 1, l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(p, o, l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(p, o, l, reach, c, &why), STATUS_OK);
 }
 
@@ -192,13 +192,13 @@ static void spacings_that_do_not_divide_are_refused(void **state) {
     struct options o = {.dx = 0.071};
     struct lattice l;
     struct failure why;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
+    assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_INPUT);
     assert_has(why.text, "nearest: 0.06 and 0.075");
     o.dx = 0.0745; /* 20.1 of them fit, and 20 cells do divide: only 0.075 is of 20 */
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
+    assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_INPUT);
     assert_has(why.text, "nearest: 0.06 and 0.075");
     o.dx = 1e-12;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
+    assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_INPUT);
     assert_has(why.text, "--dx 1e-12: 1.5e+12 particles along x, must be below 1e+08");
 }
 
@@ -211,7 +211,7 @@ static struct options options_of(enum layout_name layout) {
 static void make_clouds(const struct problem *p, const struct options *o, struct cloud *c) {
     struct lattice l;
     struct failure why = {0};
-    assert_int_equal(layout_lattice(p, o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(p, o, &l, &why), STATUS_OK);
     if (layout_cloud(p, o, &l, 2 * o->h * l.dx[0], c, &why)) print_error("%s\n", why.text);
     assert_int_equal(why.status, STATUS_OK);
 }

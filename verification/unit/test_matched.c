@@ -52,7 +52,7 @@ static void varying_walls_are_detected_on_each_side(void **state) {
     struct problem p = e->problem;
     struct lattice l;
     struct failure why = {0};
-    assert_int_equal(layout_lattice(&p, &e->options, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&p, &e->options, &l, &why), STATUS_OK);
     assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_OK);
     p.wall = along_y_hi;
     assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_NOT_APPLICABLE);

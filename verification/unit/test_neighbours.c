@@ -30,7 +30,7 @@ static void as_all_pairs(struct problem p, double jitter, double radius) {
     struct lattice l;
     struct cloud c;
     struct neighbours nb;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&p, &o, &l, 0.21, &c, &why), STATUS_OK);
     neighbours_create(&nb, &c, radius);
     for (size_t i = 0; i < c.total; i += 3) {
@@ -65,7 +65,7 @@ static void neighbours_without_room_are_counted(void **state) {
     struct cloud c;
     struct neighbours nb;
     uint32_t few[8] = {0}, all[MOST];
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&p, &o, &l, 0.1, &c, &why), STATUS_OK);
     neighbours_create(&nb, &c, 0.117);
     few[7] = UINT32_MAX;

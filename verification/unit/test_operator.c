@@ -136,7 +136,7 @@ static void matched_run_needs_isotropy(void **state) {
     struct symbol_error e;
     struct failure why;
     double h;
-    assert_int_equal(matched_isotropic(&o, method_so_ssph.scheme, &h, &why), STATUS_OK);
+    assert_int_equal(matched_isotropic(2, &o, method_so_ssph.scheme, &h, &why), STATUS_OK);
     o.h = h;
     assert_int_equal(matched_symbol(2, &o, method_so_ssph.scheme, &e, &why), STATUS_OK);
     assert_near(e.B, 2 * e.A, 1e-12);
@@ -148,7 +148,7 @@ static void matched_run_needs_isotropy(void **state) {
     assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "--h iso");
     o.order = 4; /* nor has order 4, at any --h */
-    assert_int_equal(matched_isotropic(&o, method_so_ssph.scheme, &h, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(matched_isotropic(2, &o, method_so_ssph.scheme, &h, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "--order 4");
 }
 

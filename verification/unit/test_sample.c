@@ -143,7 +143,7 @@ static void averages_keep_heat_and_centre(void **state) {
     struct problem p = {
         .dim = 1, .hi = {1.5, 0}, .initial = hump, .wall = cold, .jumps = {2}, .jump = {{0.31, 0.77}}};
     for (int n = 40; n < 50; n++) {
-        struct lattice l = {.dim = 1, .n = {n, 1}, .dx = {1.5 / n, 1}, .first = {0.75 / n}};
+        struct lattice l = {.dim = 1, .n = {n, 1, 1}, .dx = {1.5 / n, 1, 1}, .first = {0.75 / n}};
         double T[50], sum[2] = {0, 0};
         sample_lattice(&p, SAMPLING_SPLINE, &l, T);
         for (int i = 0; i < n; i++)
@@ -160,13 +160,13 @@ static void lattice_samples_equal_single_samples(void **state) {
     p.initial = hot_right;
     p.jumps[0] = 2, p.jump[0][0] = 0.4, p.jump[0][1] = 1.07;
     p.jumps[1] = 1, p.jump[1][0] = 0.77;
-    struct lattice l = {.dim = 2, .n = {11, 13}, .dx = {0.13, 0.07}, .first = {-0.28, 0.24}};
+    struct lattice l = {.dim = 2, .n = {11, 13, 1}, .dx = {0.13, 0.07, 1}, .first = {-0.28, 0.24}};
     double T[11 * 13];
     for (int sampling = SAMPLING_POINT; sampling <= SAMPLING_SPLINE; sampling++) {
         sample_lattice(&p, (enum sampling)sampling, &l, T);
         for (int k = 0; k < l.n[0] * l.n[1]; k++) {
-            double at[2];
-            layout_position(&l, k % l.n[0], k / l.n[0], at);
+            double at[DIM_MAX];
+            layout_position(&l, k % l.n[0], k / l.n[0], 0, at);
             assert_near(sample_initial(&p, (enum sampling)sampling, l.dx, at), T[k], 2e-15);
         }
     }
@@ -186,7 +186,7 @@ static double even(const struct problem *p, const double x[2]) {
 static void round_off_at_a_wall_is_not_a_jump(void **state) {
     (void)state;
     struct problem p = {.dim = 1, .hi = {1, 0}, .initial = even, .wall = held_near};
-    struct lattice l = {.dim = 1, .n = {10, 1}, .dx = {0.1, 1}, .first = {0.05, 0}};
+    struct lattice l = {.dim = 1, .n = {10, 1, 1}, .dx = {0.1, 1, 1}, .first = {0.05, 0}};
     for (double T = 1e-6; T < 1e7; T *= 1e3) {
         p.param[0] = T, p.param[1] = T * (1 + 1e-9);
         assert_int_equal(sample_meets_wall(&p, &l, X_LO), 1);
@@ -204,7 +204,7 @@ static double warm_patch(const struct problem *p, enum side s, const double x[2]
 static void wall_agreement_is_checked_along_the_wall(void **state) {
     (void)state;
     struct problem p = {.dim = 2, .hi = {1, 1}, .initial = still, .wall = warm_patch};
-    struct lattice l = {.dim = 2, .n = {10, 10}, .dx = {0.1, 0.1}, .first = {0.05, 0.05}};
+    struct lattice l = {.dim = 2, .n = {10, 10, 1}, .dx = {0.1, 0.1, 1}, .first = {0.05, 0.05}};
     assert_int_equal(sample_meets_wall(&p, &l, X_HI), 0);
     l.n[1] = 7; /* below the patch */
     assert_int_equal(sample_meets_wall(&p, &l, X_HI), 1);

@@ -41,7 +41,7 @@ static void make(struct made *m, struct problem p, struct options o, const struc
     struct lattice l;
     struct failure why;
     m->p = p;
-    assert_int_equal(layout_lattice(&m->p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&m->p, &o, &l, &why), STATUS_OK);
     if (operator_create_lattice(&m->a, &m->p, &o, method->scheme, &l, &why)) fail_msg("%s", why.text);
     if (plain) {
         if (m->a.g) m->a.bytes -= m->a.state * sizeof *m->a.g;
@@ -220,7 +220,7 @@ static void make_rows(struct made *m, struct problem p, struct options o) {
     struct cloud c;
     struct failure why;
     *m = (struct made){.p = p};
-    assert_int_equal(layout_lattice(&m->p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&m->p, &o, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&m->p, &o, &l, 2 * o.h * l.dx[0], &c, &why), STATUS_OK);
     assert_int_equal(operator_create_csr(&m->a, &m->p, &o, method_so_ssph.scheme, &c, l.dx[0], &why), STATUS_OK);
     layout_cloud_free(&c);

@@ -19,7 +19,7 @@ static void assemble(const struct problem *p, const struct options *o, const str
                      struct heat_operator *a) {
     struct lattice l;
     struct failure why;
-    if (layout_lattice(p, o, 1, &l, &why) || layout_cloud(p, o, &l, 4 * o->h * l.dx[0], c, &why) ||
+    if (layout_lattice(p, o, &l, &why) || layout_cloud(p, o, &l, 4 * o->h * l.dx[0], c, &why) ||
         operator_create_csr(a, p, o, s, c, l.dx[0], &why))
         fail_msg("%s", why.text);
 }

@@ -43,7 +43,7 @@ static void make(struct made *m, const struct kind *kind, int isotropic, double 
         m->p.materials = 2, m->p.interface = interface;
         m->p.material[1] = (struct material){{0.07 * m->p.material[0].k[0], 0.07 * m->p.material[0].k[1]}, 0.31};
     }
-    assert_int_equal(layout_lattice(&m->p, &m->o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&m->p, &m->o, &l, &why), STATUS_OK);
     m->dx = l.dx[0];
     if (layout_cloud(&m->p, &m->o, &l, 4 * l.dx[0], &m->c, &why)) fail_msg("%s", why.text);
 }
@@ -112,7 +112,7 @@ static void voronoi_cells_fill_a_round_body(void **state) {
         struct voronoi v;
         struct failure why;
         shape_round(&p, hole, 1.1);
-        assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+        assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
         if (layout_cut(&p, &o, &l, 4 * l.dx[0], &c, &why)) fail_msg("%s", why.text);
         if (voronoi_create(&v, &p, &c, 2, &why)) fail_msg("%s", why.text);
         for (size_t i = 0; i < v.n; i++) {

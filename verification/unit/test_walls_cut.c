@@ -56,7 +56,7 @@ static double off(const struct problem *p, enum walls walls, enum layout_name la
     struct failure why = {0};
     double most = 0;
     if (!p->shape) o.shift = 0.37;
-    if (layout_lattice(p, &o, 1, &l, &why) || layout_cloud(p, &o, &l, 0.22, &c, &why) ||
+    if (layout_lattice(p, &o, &l, &why) || layout_cloud(p, &o, &l, 0.22, &c, &why) ||
         walls_fill(p, &o, &c, 0.1, &why))
         fail_msg("%s", why.text);
     assert_order(c.n, >, 30);
@@ -145,7 +145,7 @@ static void one_sided_rows_do_not_grow_beside_a_wall(void **state) {
             struct heat_operator a;
             struct failure why;
             o.shift = 0.5 + pow(10, -near);
-            assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+            assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
             assert_int_equal(layout_cloud(&p, &o, &l, 0.22, &c, &why), STATUS_OK);
             assert_int_equal(c.total, c.n); /* no dummies */
             assert_int_equal(operator_create_csr(&a, &p, &o, method_so_ssph.scheme, &c, 0.1, &why), STATUS_OK);
@@ -187,7 +187,7 @@ static void fits_let_no_mode_grow(void **state) {
                 if (!round) o.dx = 0.1;
                 if (k % 2 && m < 2) o.layout = LAYOUT_JITTER, o.jitter = 0.2;
                 if (k % 2 && m == 2) o.seed = 6, o.shift *= 1.5; /* fo_ssph grows on a cloud without walls too */
-                if (layout_lattice(&p, &o, 1, &l, &why) || particles_cloud(&p, &o, all[m]->scheme, &l, &c, &why) ||
+                if (layout_lattice(&p, &o, &l, &why) || particles_cloud(&p, &o, all[m]->scheme, &l, &c, &why) ||
                     operator_create_csr(&a, &p, &o, all[m]->scheme, &c, o.dx, &why) ||
                     spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, &why))
                     fail_msg("%s", why.text);
@@ -208,7 +208,7 @@ static void particles_on_a_wall_hold_its_temperature(void **state) {
     struct cloud c;
     struct failure why;
     size_t held = 0;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&p, &o, &l, 0.22, &c, &why), STATUS_OK);
     for (size_t i = 0; i < c.n; i++) held += c.held[i];
     assert_int_equal(c.n, 14 * 10);
