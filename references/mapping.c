@@ -2,6 +2,7 @@
 /* Transformations between a scene and its image. */
 #include "references/mapping.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -114,6 +115,22 @@ static double source_rate(const struct problem *p, const double x[2]) {
     return mapping_scale(&i->map) * i->of->source_rate(i->of, at);
 }
 
+static double source_at(const struct problem *p, const double *x, double t) {
+    const struct image *i = p->data;
+    double at[2];
+    mapping_to_scene(&i->map, p->dim, x, at);
+    return mapping_scale(&i->map) * i->of->source_at(i->of, at, t);
+}
+
+/* k as a function of s T + c. */
+static void image_law(struct image *image) {
+    struct problem *of = &image->problem;
+    double s = mapping_scale(&image->map);
+    of->k_ref = mapping_temperature(&image->map, of->k_ref);
+    of->k_beta /= s;
+    if (of->k_law == K_POWER) of->k_0 /= pow(s, of->k_n);
+}
+
 /* Extents, jumps and conductivities along axis a of the case. */
 static void image_axis(struct image *image, int a) {
     const struct problem *p = image->of;
@@ -140,6 +157,8 @@ void mapping_image(const struct mapping *m, const struct problem *p, struct imag
     if (p->wall_rate) of->wall_rate = wall_rate;
     if (p->source) of->source = source;
     if (p->source_rate) of->source_rate = source_rate;
+    if (p->source_at) of->source_at = source_at;
+    if (p->k_law) image_law(image);
     for (int a = 0; a < p->dim; a++) image_axis(image, a);
     if (p->materials == 2 && m->against[image->interface_axis]) {
         struct material first = of->material[0];

@@ -8,6 +8,7 @@
 #include "references/quantity.h"
 
 #include "references/cubature.h"
+#include "references/kirchhoff.h"
 #include "references/snapshot.h"
 
 #include "solver/shape.h"
@@ -91,10 +92,11 @@ static struct approx flux_density(const void *data, const double along[2]) {
         x[0] = p->radius[s] * u[0], x[1] = p->radius[s] * u[1];
     else
         x[a] = s % 2 ? p->hi[a] : p->lo[a];
-    double wall = p->wall(p, f->side, x, f->now.time), k = material_at(p, x)->k[a], b = p->robin[s];
+    double wall = p->wall(p, f->side, x, f->now.time), b = p->robin[s];
     if (p->side[s] == NEUMANN) return (struct approx){wall, 0};
     struct exact e = snapshot_at(&f->now, x);
     if (p->side[s] == ROBIN) return (struct approx){b * (wall - e.temperature), b * e.error_bound};
+    double k = kirchhoff_along(p, material_at(p, x), a, e.temperature);
     double slope = p->shape ? u[0] * e.gradient[0] + u[1] * e.gradient[1] : e.gradient[a];
     double bound = p->shape ? e.gradient_bound[0] + e.gradient_bound[1] : e.gradient_bound[a];
     return (struct approx){s % 2 ? k * slope : -k * slope, k * bound};

@@ -31,6 +31,7 @@ void problem_wall_range(const struct problem *p, enum side s, const double *x, d
 }
 
 double problem_source(const struct problem *p, const double *x, double t) {
+    if (p->source_at) return p->source_at(p, x, t);
     return (p->source ? p->source(p, x) : 0) + (p->source_rate ? t * p->source_rate(p, x) : 0);
 }
 

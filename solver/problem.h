@@ -20,6 +20,10 @@ struct material {
     double rho_c;      /* J m^-3 K^-1 */
 };
 
+/* Conductivity of an isotropic material that depends on T, with u = T - k_ref: constant, k_0 (1 + k_beta u), or
+ * k_0 u^k_n (0 for u <= 0).  material[0].k is then the largest value of the exact solution. */
+enum k_law { K_CONSTANT, K_LINEAR, K_POWER };
+
 struct problem {
     int dim;                         /* 1 to 3 */
     double lo[DIM_MAX], hi[DIM_MAX]; /* m; 0 along axes past dim; for other shapes the bounding box */
@@ -29,6 +33,9 @@ struct problem {
     int materials;    /* material[0] is at x < interface, material[1] at x >= interface */
     double interface; /* m */
     struct material material[MATERIAL_MAX];
+    enum k_law k_law;
+    double k_0;                     /* W m^-1 K^-1; times K^-k_n of a power law */
+    double k_beta, k_ref, k_n;      /* K^-1, K, 1 */
     enum side_kind side[SIDES];     /* indexed by enum side; in a round body X_LO is the hole, X_HI the outer wall */
     double robin[SIDES];            /* W m^-2 K^-1, >= 0, of a ROBIN side: b in k dT/dn = b (T_a - T) */
     double start;                   /* K, uniform initial value if `initial` is problem_start */
@@ -53,6 +60,8 @@ struct problem {
     /* Constant rate of change of the source, W m^-3 s^-1; NULL if the source is steady.  Zero on Dirichlet sides,
      * with zero normal derivative on the others, so that the ghosts of `source` remain valid. */
     double (*source_rate)(const struct problem *p, const double *x);
+    /* Source at time t, W m^-3, if it changes in another way; `source` and `source_rate` are then NULL. */
+    double (*source_at)(const struct problem *p, const double *x, double t);
 };
 
 /* Largest diffusivity over all materials and axes, m^2 s^-1. */

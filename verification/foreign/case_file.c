@@ -153,9 +153,9 @@ void case_file_write(const struct scene *s, const struct problem *of, const stru
     write_materials(&image, out);
     for (int side = 0; side < 2 * p->dim; side++) write_side(p, side, out);
     fprintf(out, "source = %s\nt_end = %.17g\ndx = %.17g\n",
-            p->source_rate ? "changing"
-            : p->source    ? "yes"
-                           : "no",
+            p->source_rate || p->source_at ? "changing"
+            : p->source                    ? "yes"
+                                           : "no",
             p->t_end, o->dx);
     if (o->aspect > 0) fprintf(out, "dy = %.17g\n", options_spacing(o, 1));
     if (o->dt > 0) fprintf(out, "dt = %.17g\n", o->dt);

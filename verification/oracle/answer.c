@@ -15,7 +15,7 @@ void answer_times(double from, double to, int count, double *time) {
 
 /* Columns that depend on time in some scenes only. */
 static int depends_on_time(const struct problem *p, const char *column) {
-    if (strcmp(column, "source") == 0) return p->source_rate != NULL;
+    if (strcmp(column, "source") == 0) return p->source_rate || p->source_at;
     return p->wall_rate && (strncmp(column, "wall", 4) == 0 || strcmp(column, "nearest") == 0);
 }
 

@@ -3,6 +3,7 @@
 #include "verification/oracle/columns.h"
 
 #include "references/cubature.h"
+#include "references/kirchhoff.h"
 #include "references/mapping.h"
 #include "references/scene.h"
 #include "solver/shape.h"
@@ -77,7 +78,10 @@ static void flux(const struct columns_row *row, double *value) {
     int material = of->materials == 2 && at[0] >= of->interface; /* the gradient is that of the same material */
     int along = mapping_axis(m, row->axis);
     double into = mapping_scale(m) * (m->against[row->axis] ? -1 : 1);
-    *value = row->exact.no_value ? NAN : -into * of->material[material].k[along] * row->exact.gradient[along];
+    *value = row->exact.no_value
+                 ? NAN
+                 : -into * kirchhoff_along(of, &of->material[material], along, row->exact.temperature) *
+                       row->exact.gradient[along];
 }
 
 static void initial(const struct columns_row *row, double *value) {

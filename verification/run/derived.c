@@ -2,6 +2,7 @@
 /* Fluxes, heat and temperatures of a field on arbitrary points. */
 #include "verification/run/derived.h"
 
+#include "references/kirchhoff.h"
 #include "references/quantity.h"
 #include "solver/field.h"
 #include "solver/status.h"
@@ -38,7 +39,8 @@ static int flux(enum side s, const struct problem *p, const struct interpolate *
         if (p->dim == 2) x[along] = place(p->lo[along], p->hi[along], parts, k, &w);
         x[a] = s % 2 ? p->hi[a] : p->lo[a];
         if (interpolate_at(f, x, &T, gradient, why)) return why->status;
-        *value += w * material_at(p, x[0])->k[a] * (s % 2 ? gradient[a] : -gradient[a]);
+        double there = kirchhoff_along(p, material_at(p, x[0]), a, T);
+        *value += w * there * (s % 2 ? gradient[a] : -gradient[a]);
     }
     return STATUS_OK;
 }

@@ -20,8 +20,8 @@ static struct quantity_value of(const char *name, const struct scene *s, const s
 
 static double source_of(const struct problem *p, double t) { /* the integral over the body, by Gauss's rule of two */
     enum { N = 400 };
-    double sum = 0, area = (p->hi[0] - p->lo[0]) * (p->hi[1] - p->lo[1]);
-    for (int i = 0; p->source && i < N * N; i++) {
+    double sum = 0, area = (p->hi[0] - p->lo[0]) * (p->dim == 2 ? p->hi[1] - p->lo[1] : 1);
+    for (int i = 0; (p->source || p->source_at) && i < N * N; i++) {
         double x[2];
         for (int a = 0, at[2] = {i % N, i / N}; a < 2; a++) /* two in each of N/2 parts */
             x[a] = p->lo[a] + (at[a] / 2 * 2 + 1 + (at[a] % 2 ? 1 : -1) / sqrt(3)) / N * (p->hi[a] - p->lo[a]);

@@ -41,6 +41,10 @@ static const struct refusal {
     {"plate-driven", "phase_a", 200, "between -100 and 100"},
     {"plate-driven", "Tm", 1.3, "the sum of the amplitudes: T > 0"},
     {"rect-manufactured", "A", 1.5, "from 0 to 1 K: the temperature stays positive, 0 < A <= 1"},
+    {"front", "n", 2.5, "whole number from 1 to 6"},
+    {"wall-kirchhoff", "beta", -2, "k = k_0 (1 + beta (T - T_ref)) > 0 from 0.5 to 1.8 K"},
+    {"wall-kirchhoff", "T1", 0.5, "other than T2=0.5"},
+    {"plate-kirchhoff", "A", -0.1, "0 K or more"},
     {"rect-manufactured", "rise", -0.1, "0 K/s or more"},
 };
 
