@@ -146,7 +146,7 @@ static void rate_of_a_wall_is_its_derivative(void **state) {
         unsigned long random = 29;
         for (int trial = 0; trial < 20 && p.wall_rate; trial++)
             for (int side = X_LO; side < 2 * p.dim; side++) {
-                double x[2] = {0, 0}, t = odd_random(&random) * p.t_end, d = 0.01 * p.t_end, sum = 0;
+                double x[DIM_MAX] = {0}, t = odd_random(&random) * p.t_end, d = 0.01 * p.t_end, sum = 0;
                 odd_point(&p, 0, &random, x);
                 for (int i = 1; i <= 4; i++)
                     sum += first_difference[i] *
