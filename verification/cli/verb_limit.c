@@ -20,7 +20,7 @@ static void print_json(const struct model_problem *b, const struct step_limit *l
     json_number(&j, "h", b->method->scheme ? b->options.h : NAN);
     json_add(&j, "layout %s|jitter %g|seed %lld|walls %s", layout_words[b->options.layout], b->options.jitter,
              (long long)b->options.seed, walls_words[b->options.walls]);
-    json_number(&j, "ratio", b->dim == 2 ? model_problem_kappa_y(b) : NAN);
+    json_number(&j, "ratio", b->dim > 1 ? model_problem_kappa_y(b) : NAN);
     json_number(&j, "contact", b->contact > 0 ? b->contact : NAN);
     json_add(&j, "stepper %s|published %g|source %s|von_neumann %g|measured %g", stepper_words[b->step.stepper],
              l->published, l->source, l->von_neumann, l->measured);
@@ -39,13 +39,19 @@ static void print_json(const struct model_problem *b, const struct step_limit *l
     json_end(&j);
 }
 
+static void print_wave(const double *theta, int dim) {
+    printf(" (worst wave number");
+    for (int a = 0; a < dim; a++) printf("%s %.4g", a ? "," : "", fabs(theta[a]));
+    printf(" rad per particle)\n");
+}
+
 static void print_text(const struct model_problem *b, const struct step_limit *l) {
     int rows = model_problem_has_rows(b);
     printf("%s in %dD", b->method->name, b->dim);
     if (b->method->scheme) printf(", %s kernel, h/dx = %g", kernel_words[b->options.kernel], b->options.h);
     if (b->options.layout != LAYOUT_LATTICE) printf(", %s", layout_words[b->options.layout]);
     if (b->options.jitter > 0) printf(" %g, seed %lu", b->options.jitter, b->options.seed);
-    if (b->dim == 2 && model_problem_kappa_y(b) < 1) printf(", kappa_y/kappa_x %g", model_problem_kappa_y(b));
+    if (b->dim > 1 && model_problem_kappa_y(b) < 1) printf(", kappa_y/kappa_x %g", model_problem_kappa_y(b));
     if (b->contact > 0) printf(", two materials 1 : %g", b->contact);
     if (b->options.walls != WALLS_MIRROR) printf(", walls %s", walls_words[b->options.walls]);
     printf(", %s: dt kappa/dx^2 up to\n", stepper_words[b->step.stepper]);
@@ -57,7 +63,7 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
     if (rows)
         printf(" (the eigenvalues of %zu particles)\n", l->particles);
     else
-        printf(" (worst wave number %.4g, %.4g rad a particle)\n", fabs(l->theta[0]), fabs(l->theta[1]));
+        print_wave(l->theta, b->dim);
     printf("  %-12s %.4g\n", "measured", l->measured);
     if (l->grows) printf("  %-12s %.4g kappa/dx^2: a mode grows at any step\n", "growth", l->growth);
     if (isfinite(l->beta)) printf("  %-12s %.4g (Pamplona 2019 eq. 15, dt = beta h^2/kappa)\n", "beta", l->beta);

@@ -34,7 +34,7 @@ int maximum_principle_find(const struct model_problem *given, double h, struct m
     b.n = 0;
     if (model_problem_resolve(&b, 15, why) || symbol_create(&s, &b, why)) return why->status;
     x->lowest = symbol_lowest(&s);
-    double F = 0.9 / fabs(symbol_weight(&s, 0, 0));
+    double F = 0.9 / fabs(symbol_weight(&s, 0, 0, 0));
     symbol_free(&s);
     int status = STATUS_OK;
     for (long long steps = 1; steps <= 32 && !status; steps *= 2) status = run(&b, F, steps, &x->undershoot, why);

@@ -12,28 +12,30 @@
 #include <stdlib.h>
 
 /* splitmix64 (Steele, Lea & Flood 2014) of the cell, uniform in [-1, 1) */
-static double noise_at(const struct problem *p, const double x[2]) {
-    uint64_t z = (uint64_t)(int64_t)floor(x[0]) * 0x9e3779b97f4a7c15u;
-    if (p->dim == 2) z ^= (uint64_t)(int64_t)floor(x[1]) * 0xd1b54a32d192ed03u + 0x632be59bd9b4e019u;
+static double noise_at(const struct problem *p, const double *x) {
+    static const uint64_t factor[DIM_MAX] = {0x9e3779b97f4a7c15u, 0xd1b54a32d192ed03u, 0x8cb92ba72f3d8dd7u};
+    uint64_t z = 0;
+    for (int a = 0; a < p->dim; a++)
+        z ^= (uint64_t)(int64_t)floor(x[a]) * factor[a] + (a > 0 ? 0x632be59bd9b4e019u : 0);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     z ^= z >> 31;
     return (double)(z >> 11) * 0x1p-52 - 1;
 }
 
-static double impulse_at(const struct problem *p, const double x[2]) {
+static double impulse_at(const struct problem *p, const double *x) {
     for (int a = 0; a < p->dim; a++)
         if (floor(x[a]) != floor(p->hi[a] / 2)) return 0;
     return 1;
 }
 
-static double hill_at(const struct problem *p, const double x[2]) {
+static double hill_at(const struct problem *p, const double *x) {
     double T = 1;
     for (int a = 0; a < p->dim; a++) T *= sin(M_PI * x[a] / p->hi[a]);
     return T + p->param[0] * noise_at(p, x);
 }
 
-static double zero(const struct problem *p, enum side s, const double x[2], double t) {
+static double zero(const struct problem *p, enum side s, const double *x, double t) {
     (void)p, (void)s, (void)x, (void)t;
     return 0; /* K, or W m^-2 */
 }
@@ -46,7 +48,7 @@ struct problem model_problem_setup(const struct model_problem *b, enum model_pro
     struct problem p = {.dim = b->dim,
                         .t_end = 1,
                         .materials = 1,
-                        .material = {{{1, model_problem_kappa_y(b)}, 1}},
+                        .material = {{{1, model_problem_kappa_y(b), 1}, 1}},
                         .param = {disturb},
                         .initial = data == MODEL_NOISE     ? noise_at
                                    : data == MODEL_IMPULSE ? impulse_at
@@ -55,7 +57,8 @@ struct problem model_problem_setup(const struct model_problem *b, enum model_pro
     for (int a = 0; a < b->dim; a++) p.hi[a] = b->n;
     if (b->contact > 0) {
         p.materials = 2, p.interface = b->n / 2;
-        p.material[1] = (struct material){{b->contact, b->contact * p.material[0].k[1]}, b->contact};
+        p.material[1].rho_c = b->contact;
+        for (int a = 0; a < b->dim; a++) p.material[1].k[a] = b->contact * p.material[0].k[a];
     }
     for (int s = 0; s < 2 * b->dim; s++) p.side[s] = b->insulated ? NEUMANN : DIRICHLET;
     return p;
@@ -124,7 +127,7 @@ int model_problem_around(const struct model_problem *b, const struct cloud *c, s
                                    .h = b->options.h,
                                    .volume = c->volume,
                                    .rho_c = 1,
-                                   .kappa = {1, model_problem_kappa_y(b)}};
+                                   .kappa = {1, model_problem_kappa_y(b), 1}};
         nb.n = neighbours_find(&cells, i, near, NEIGHBOURS_MAX);
         if (nb.n > NEIGHBOURS_MAX) {
             status = refuse(why, STATUS_NUMERICAL, "particle %zu has %zu neighbours", i, nb.n);
@@ -151,7 +154,9 @@ static int march(const struct model_problem *b, const struct problem *p, double 
     if (model_problem_operator(b, p, &a, why)) return why->status;
     double *T = xcalloc(a.n, sizeof *T);
     for (size_t i = 0; i < a.n; i++) {
-        double x[2] = {(double)(i % (size_t)b->n) + 0.5, (double)(i / (size_t)b->n) + 0.5};
+        double x[DIM_MAX];
+        for (size_t axis = 0, rest = i; axis < DIM_MAX; axis++, rest /= (size_t)b->n)
+            x[axis] = (double)(rest % (size_t)b->n) + 0.5;
         T[i] = p->initial(p, x);
     }
     struct march m = {.stepper = b->step.stepper,

@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_STABILITY_MODEL_PROBLEM_H
 #define HEATLADDER_VERIFICATION_STABILITY_MODEL_PROBLEM_H
 
-/* A method in isolation: n (in the plane n x n) particles of spacing dx = 1 with diffusivity 1 along x.  Times are
+/* A method in isolation: n^dim particles of spacing dx = 1 with diffusivity 1 along x and z.  Times are
  * in dx^2/kappa, and steps are mesh Fourier numbers. */
 
 #include "solver/space/operator.h"

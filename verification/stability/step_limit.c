@@ -4,7 +4,8 @@
  * Published: Song 2018 eq. 34, SO-SSPH:  dt <= 1/|kappa_x eta_i + kappa_y phi_i| with the weights eta_i, phi_i of
  * the particle itself (a necessary condition of |Re G| <= 1 only if no other weight is negative);  eq. 41, FO-SSPH:
  * dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)).  Pamplona 2019 eq. 17, FTCS: dt <= gamma
- * (dx^2 + dy^2)/kappa, gamma = 1/4.  Their eq. 15 for SPH, dt = beta h^2/kappa, leaves beta open.
+ * (dx^2 + dy^2)/kappa, gamma = 1/4; all three are extended here to dim axes by one term per axis.  Their eq. 15 for
+ * SPH, dt = beta h^2/kappa, leaves beta open.
  *
  * Measured: noise over LIMIT_STEPS = N steps.  A mode at a relative distance e above its limit grows by at least
  * (1 + 2e)^N.  Its share of the noise is at least 1/n, so it exceeds 2 K for e > ln(2 n)/(2 N) = 0.2 % (n = 24).
@@ -32,7 +33,9 @@ static int is(const struct model_problem *b, const char *name) {
 
 int step_limit_model(struct model_problem *b, struct failure *why) {
     int rows = model_problem_has_rows(b);
-    return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : rows ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
+    static const int along[DIM_MAX][2] = {
+        {LIMIT_ROD, LIMIT_ROD}, {LIMIT_SQUARE, LIMIT_SQUARE_JITTER}, {LIMIT_CUBE, LIMIT_CUBE_JITTER}};
+    return model_problem_resolve(b, along[b->dim - 1][rows], why);
 }
 
 /* Refuses a stepper without a largest stable step. */
@@ -69,28 +72,35 @@ int step_limit_setup(const struct method *m, const struct options *o, int dim, d
 /* Song eqs. 34 and 41 for one particle; keeps the smallest bound. */
 static int song_bound(const struct model_problem *b, const struct neighbourhood *nb, void *strictest,
                       struct failure *why) {
-    double w[2][NEIGHBOURS_MAX], *out[2] = {w[0], w[1]}, sum[2] = {0, 0}, *least = strictest;
+    static _Thread_local double w[DIM_MAX][NEIGHBOURS_MAX];
+    double *out[DIM_MAX] = {w[0], w[1], w[2]}, squares = 0, own = 0, *least = strictest;
     int sweeps = b->method->scheme->sweeps;
     struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     if (operator_weights(b->method->scheme, &p, &b->options, nb, out, why)) return why->status;
-    for (size_t k = 0; k < nb->n; k++)
-        for (int a = 0; a < (sweeps == 2 ? b->dim : 1); a++) sum[a] += sweeps == 2 ? fabs(w[a][k]) : w[a][k];
-    double squares = sum[0] * sum[0] + model_problem_kappa_y(b) * sum[1] * sum[1];
-    double bound = sweeps == 2 ? 0.5 / squares : 1 / fabs(sum[0]);
-    *least = fmin(*least, bound);
+    for (size_t k = 0; k < nb->n; k++) own += w[0][k];
+    for (int a = 0; a < b->dim && sweeps == 2; a++) {
+        double sum = 0;
+        for (size_t k = 0; k < nb->n; k++) sum += fabs(w[a][k]);
+        squares += nb->kappa[a] * sum * sum;
+    }
+    *least = fmin(*least, sweeps == 2 ? 0.5 / squares : 1 / fabs(own));
     return STATUS_OK;
 }
 
 /* On a lattice one particle represents all. */
-static int song(const struct model_problem *given, double *published, struct failure *why) {
-    struct model_problem b = *given;
+static int song(const struct model_problem *b, double *published, struct failure *why) {
     struct cloud c;
-    int cloud = options_is_cloud(&b.options);
-    if (!cloud) b.options.layout = LAYOUT_LATTICE;
-    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
-    if (model_problem_cloud(&b, &p, &c, why)) return why->status;
+    struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     *published = INFINITY;
-    int status = model_problem_around(&b, &c, cloud ? c.n : 1, song_bound, published, why);
+    if (!options_is_cloud(&b->options)) {
+        double d[NEIGHBOURS_MAX][DIM_MAX];
+        struct neighbourhood nb;
+        if (operator_neighbourhood(b->dim, 1, b->options.h, d, &nb, why)) return why->status;
+        for (int a = 0; a < b->dim; a++) nb.kappa[a] = p.material[0].k[a];
+        return song_bound(b, &nb, published, why);
+    }
+    if (model_problem_cloud(b, &p, &c, why)) return why->status;
+    int status = model_problem_around(b, &c, c.n, song_bound, published, why);
     layout_cloud_free(&c);
     return status;
 }
@@ -133,7 +143,7 @@ static int from_spectrum(const struct model_problem *b, struct step_limit *l, st
     if (status) return status;
     l->von_neumann = s.limit, l->growth = s.growth, l->radius = s.radius;
     l->grows = s.growth > spectrum_rounding(&s);
-    l->theta[0] = l->theta[1] = NAN;
+    for (int axis = 0; axis < DIM_MAX; axis++) l->theta[axis] = NAN;
     spectrum_free(&s);
     return STATUS_OK;
 }

@@ -8,16 +8,16 @@
 #include "verification/stability/model_problem.h"
 
 struct step_limit {
-    double published;   /* NaN if no paper gives a value */
-    const char *source; /* source of `published` */
-    double von_neumann; /* from the symbol; for clouds from the eigenvalues; 0 if some mode grows at any step */
-    double measured;    /* between decay and growth, to 1 %; 0 if there is growth at any step */
-    double growth;      /* largest real part of the eigenvalues, kappa/dx^2 */
-    double radius;      /* largest |lambda|, kappa/dx^2 */
-    double theta[2];    /* radians per particle, the critical wave number; NaN for clouds */
-    double beta;        /* von_neumann in terms of Pamplona's beta of eq. 15, F (dx/h)^2; NaN without h */
-    size_t particles;   /* number of particles in the eigenvalue problem */
-    int grows;          /* 1: an eigenvalue has a significant positive real part */
+    double published;      /* NaN if no paper gives a value */
+    const char *source;    /* source of `published` */
+    double von_neumann;    /* from the symbol; for clouds from the eigenvalues; 0 if some mode grows at any step */
+    double measured;       /* between decay and growth, to 1 %; 0 if there is growth at any step */
+    double growth;         /* largest real part of the eigenvalues, kappa/dx^2 */
+    double radius;         /* largest |lambda|, kappa/dx^2 */
+    double theta[DIM_MAX]; /* radians per particle, the critical wave number; NaN for clouds */
+    double beta;           /* von_neumann in terms of Pamplona's beta of eq. 15, F (dx/h)^2; NaN without h */
+    size_t particles;      /* number of particles in the eigenvalue problem */
+    int grows;             /* 1: an eigenvalue has a significant positive real part */
 };
 
 /* Sets everything except l->measured, which is NaN. b is resolved. */
@@ -30,7 +30,9 @@ int step_limit_measure(const struct model_problem *b, double *measured, struct f
 /* 1 if noise grows in `steps` steps of F, else 0; -1 on failure, with *why. */
 int step_limit_grows(const struct model_problem *b, double F, long long steps, struct failure *why);
 
-enum { LIMIT_ROD = 48, LIMIT_SQUARE = 24, LIMIT_SQUARE_JITTER = 14, LIMIT_STEPS = 1000 };
+/* Particles along an axis; under jitter few enough for the eigenvalues of a full matrix. */
+enum { LIMIT_ROD = 48, LIMIT_SQUARE = 24, LIMIT_SQUARE_JITTER = 14, LIMIT_CUBE = 12, LIMIT_CUBE_JITTER = 7 };
+enum { LIMIT_STEPS = 1000 };
 
 /* Resolves *b with the number of particles of limit searches; and the model problem of the command `limit`. */
 int step_limit_model(struct model_problem *b, struct failure *why);

@@ -10,7 +10,7 @@
 struct symbol {
     int dim;
     int reach[DIM_MAX];
-    double *w; /* the whole stencil, w[(j + reach[1]) (2 reach[0] + 1) + i + reach[0]] */
+    double *w; /* the whole stencil: (2 reach + 1) weights along each axis, x fastest */
 };
 
 /* From operator_stencil for a particle method; else from one Euler step of the method on an impulse. b is
@@ -18,14 +18,14 @@ struct symbol {
 int symbol_create(struct symbol *s, const struct model_problem *b, struct failure *why);
 void symbol_free(struct symbol *s);
 
-double symbol_weight(const struct symbol *s, int i, int j); /* 0 outside */
-double complex symbol_at(const struct symbol *s, const double theta[2]);
+double symbol_weight(const struct symbol *s, int i, int j, int k);     /* 0 outside */
+double complex symbol_at(const struct symbol *s, const double *theta); /* theta[dim] */
 
 struct symbol_extreme {
-    double limit;    /* F up to which |G| <= 1 at every wave number; 0 for none, infinite if all eigenvalues vanish */
-    double theta[2]; /* critical phase */
-    double radius;   /* max |lambda|, kappa/dx^2 */
-    double growth;   /* max Re lambda, kappa/dx^2: zero within round-off if every mode decays */
+    double limit; /* F up to which |G| <= 1 at every wave number; 0 for none, infinite if all eigenvalues vanish */
+    double theta[DIM_MAX]; /* critical phase */
+    double radius;         /* max |lambda|, kappa/dx^2 */
+    double growth;         /* max Re lambda, kappa/dx^2: zero within round-off if every mode decays */
 };
 
 /* Over all wave numbers: FFTW on a zero-padded grid, then a search around the critical one. */

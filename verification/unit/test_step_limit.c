@@ -150,6 +150,28 @@ static void narrow_supports_reduce_to_finite_differences(void **state) {
     assert_near(predicted(&fo).published, 0.5, 1e-13); /* Song eq. 41: a quarter of it */
 }
 
+/* Face and edge neighbours in space (sqrt(2) < 2 h/dx < sqrt(3)) with weights w1 and w2, exact for x^2: 2 w1 + 8 w2 =
+ * 2.  The symbol is -4 at (pi, 0, 0), -8 + 16 w2 at (pi, pi, 0) and -12 + 48 w2 at (pi, pi, pi).  With w2 = 0 it is
+ * the seven-point difference. */
+static void limits_in_space_follow_from_two_weights(void **state) {
+    (void)state;
+    struct model_problem narrow = probe(&method_brookshaw, 3, 0.6);
+    assert_near(predicted(&narrow).von_neumann, 1.0 / 6, 1e-12);
+    const struct method *const all[] = {&method_so_ssph, &method_brookshaw};
+    for (int m = 0; m < 2; m++) {
+        struct model_problem b = probe(all[m], 3, 0.83);
+        struct symbol s;
+        struct failure why;
+        assert_int_equal(symbol_create(&s, &b, &why), STATUS_OK);
+        double w1 = symbol_weight(&s, 0, 0, 1), w2 = symbol_weight(&s, 0, 1, -1);
+        assert_near(symbol_weight(&s, 1, 1, 1), 0, 0);
+        assert_near(2 * w1 + 8 * w2, 2, 1e-13);
+        double lowest = fmax(4, fmax(8 - 16 * w2, 12 - 48 * w2));
+        assert_near(predicted(&b).von_neumann, 2 / lowest, 1e-12);
+        symbol_free(&s);
+    }
+}
+
 static void complex_eigenvalues_limit_the_step(void **state) {
     (void)state;
     struct amplification euler = {STEPPER_EULER, 0}, rk2 = {STEPPER_RK2, 0};
@@ -281,7 +303,7 @@ static void symbol_is_the_sum_over_all_weights(void **state) {
     const double theta[2] = {0.83, -1.7};
     double complex want = 0;
     for (int j = -1; j <= 1; j++)
-        for (int i = -2; i <= 2; i++) want += symbol_weight(&s, i, j) * cexp(I * (i * theta[0] + j * theta[1]));
+        for (int i = -2; i <= 2; i++) want += symbol_weight(&s, i, j, 0) * cexp(I * (i * theta[0] + j * theta[1]));
     double complex got = symbol_at(&s, theta);
     assert_near(creal(got), creal(want), 1e-14);
     assert_near(cimag(got), cimag(want), 1e-14);
@@ -313,6 +335,7 @@ int main(void) {
         cmocka_unit_test(grids_refuse_jitter_and_accept_nodes),
         cmocka_unit_test(limits_depend_on_walls_and_nodes),
         cmocka_unit_test(narrow_supports_reduce_to_finite_differences),
+        cmocka_unit_test(limits_in_space_follow_from_two_weights),
         cmocka_unit_test(complex_eigenvalues_limit_the_step),
         cmocka_unit_test(rkl2_equals_its_legendre_polynomial),
         cmocka_unit_test(eigenvalues_equal_the_symbol),
