@@ -235,7 +235,7 @@ clean: ## Remove everything that was built
 CVODE = $(wildcard /usr/include/cvode/cvode.h /usr/local/include/cvode/cvode.h)
 VORO  = $(wildcard /usr/include/voro++/voro++.hh /usr/local/include/voro++/voro++.hh)
 EXAMPLES = $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90) $(if $(CVODE),cvode))
-PEERS    = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_square) $(if $(VORO),voro_cells))
+PEERS    = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_step) $(if $(VORO),voro_cells))
 # Flags for the programs of others alone; they favour them in the comparison.
 FAST    := -O3 -march=native -ffast-math -fopenmp-simd
 sundials = $(patsubst %,-lsundials_%,$(1))
@@ -254,7 +254,7 @@ $(BUILD)/examples/cvode: verification/examples/cvode.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -O2 -o $@ $< $(call sundials,cvode nvecserial sunlinsolband sunmatrixband) -lm
 
-$(BUILD)/peers/cvode_square: reports/bench/cvode_square.c
+$(BUILD)/peers/cvode_step: reports/bench/cvode_step.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(FAST) -o $@ $< $(call sundials,cvode nvecserial sunlinsolpcg) -lm
 

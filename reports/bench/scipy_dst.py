@@ -1,9 +1,10 @@
-"""scipy_dst.py CASE OUT: SciPy's sine transform on square-step.
+"""scipy_dst.py CASE OUT: SciPy's sine transform on square-step and cube-step.
 
-The five-point difference with T = 0 on the sides is diagonal in sines, so that there is no error in time.
+The central difference with T = 0 on the sides is diagonal in sines, so that there is no error in time.
 """
 import sys
 import time
+from functools import reduce
 
 import numpy as np
 from scipy import fft
@@ -12,20 +13,30 @@ WARM = 0.1  # s: solves before the one that is timed
 
 with open(sys.argv[1]) as lines:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in lines)
-if case["scene"] != "square-step":
+if case["scene"] not in ("square-step", "cube-step"):
     sys.exit(77)
+
+
+def parameter(name):
+    return float(case["param_" + name])
+
+
+dim, dx, t_end = int(case["dim"]), float(case["dx"]), float(case["t_end"])
 n = [int(word) for word in case["cells"].split(",")]
-dx, t_end, T0 = (float(case[key]) for key in ("dx", "t_end", "param_T0"))
-x, y = (-float(case["param_L"]) + (np.arange(m) + 0.5) * dx for m in n)
+axes = [-parameter("L") + (np.arange(m) + 0.5) * dx for m in n]
+
+
+def outer(factors):
+    """The product of one factor per axis, as an array by z, y, x."""
+    return reduce(np.multiply.outer, reversed(factors))
 
 
 def solve():
-    a, b = (float(case[key]) * (1 + 1e-12) for key in ("param_a", "param_b"))
-    start = T0 * np.outer(abs(y) <= b, abs(x) <= a).astype(float)
-    kappa = [float(case[key]) for key in ("param_kappa_x", "param_kappa_y")]
-    rate = [4 * k / dx**2 * np.sin(np.pi * np.arange(1, m + 1) / (2 * m)) ** 2 for k, m in zip(kappa, n)]
+    start = parameter("T0") * outer([1.0 * (abs(x) <= parameter(half) * (1 + 1e-12)) for x, half in zip(axes, "abc")])
+    rates = [4 * parameter("kappa_" + axis) / dx**2 * np.sin(np.pi * np.arange(1, m + 1) / (2 * m)) ** 2
+             for axis, m in zip("xyz", n)]
     modes = fft.dstn(start, type=2, overwrite_x=True)
-    modes *= np.outer(np.exp(-t_end * rate[1]), np.exp(-t_end * rate[0]))
+    modes *= outer([np.exp(-t_end * rate) for rate in rates])
     return fft.idstn(modes, type=2, overwrite_x=True)
 
 
@@ -37,5 +48,6 @@ while True:
     if begin - first > WARM:
         break
 
-points = np.stack([*np.meshgrid(x, y), T], axis=-1).reshape(-1, 3)
-np.savetxt(sys.argv[2], points, "%.17g", ",", header=f"# seconds = {seconds:.9g}\nx,y,T", comments="")
+points = np.meshgrid(*reversed(axes), indexing="ij")[::-1]
+header = f"# seconds = {seconds:.9g}\n" + ",".join("xyz"[:dim]) + ",T"
+np.savetxt(sys.argv[2], np.stack([*points, T], axis=-1).reshape(-1, dim + 1), "%.17g", ",", header=header, comments="")

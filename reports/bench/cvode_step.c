@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* cvode_square CASE OUT TOLERANCE: SUNDIALS' CVODE on square-step, as its manual advises for a symmetric matrix.
+/* cvode_step CASE OUT TOLERANCE: SUNDIALS' CVODE on square-step and cube-step, as its manual advises for a symmetric
+ * matrix.
  *
- *     dT/dt = kappa (five-point difference of T), T = 0 on the sides; BDF, Newton, conjugate gradients
+ *     dT/dt = sum over axes of kappa (second difference of T), T = 0 on the sides; BDF, Newton, conjugate gradients
  *
  * The Jacobian times a vector is the right side itself: the equation is linear and its walls are at zero.
  * Distributions compile the vectors of SUNDIALS without optimization, which costs a factor of 12; their loops stand
@@ -19,33 +20,36 @@
 enum { NOT_APPLICABLE = 77, ITERATIONS = 100, STEPS = 1000000 };
 static const double WARM = 0.1; /* s: solves before the one that is timed */
 
-static char scene[40];
-static int n;
-static double dx, half_width, half_jump, kappa[2], T0, t_end;
+static int dim, n, total; /* cells along an axis, and in all */
+static double dx, half_width, half[3], kappa[3], T0, t_end;
 
 static void stop(const char *reason) {
-    fprintf(stderr, "cvode_square: %s\n", reason);
+    fprintf(stderr, "cvode_step: %s\n", reason);
     exit(1);
 }
 
 static void read_case(const char *path) {
-    char line[4096];
-    int ny = 0;
+    char line[4096], scene[40] = "";
     FILE *f = fopen(path, "r");
     if (!f) stop("the case cannot be opened");
     while (fgets(line, sizeof line, f)) {
         sscanf(line, "scene = %39s", scene);
-        sscanf(line, "cells = %d, %d", &n, &ny);
+        sscanf(line, "dim = %d", &dim);
+        sscanf(line, "cells = %d", &n);
         sscanf(line, "dx = %lf", &dx);
         sscanf(line, "param_L = %lf", &half_width);
-        sscanf(line, "param_a = %lf", &half_jump);
+        sscanf(line, "param_a = %lf", &half[0]);
+        sscanf(line, "param_b = %lf", &half[1]);
+        sscanf(line, "param_c = %lf", &half[2]);
         sscanf(line, "param_kappa_x = %lf", &kappa[0]);
         sscanf(line, "param_kappa_y = %lf", &kappa[1]);
+        sscanf(line, "param_kappa_z = %lf", &kappa[2]);
         sscanf(line, "param_T0 = %lf", &T0);
         sscanf(line, "t_end = %lf", &t_end);
     }
     fclose(f);
-    if (strcmp(scene, "square-step") != 0 || n != ny) exit(NOT_APPLICABLE);
+    if (strcmp(scene, "square-step") != 0 && strcmp(scene, "cube-step") != 0) exit(NOT_APPLICABLE);
+    total = dim == 3 ? n * n * n : n * n;
 }
 
 /* ---- Loops of N_Vector ---- */
@@ -58,33 +62,33 @@ static void linear_sum(double a, N_Vector x, double b, N_Vector y, N_Vector z) {
     const double *p = array(x), *q = array(y);
     double *r = array(z);
 #pragma omp simd
-    for (int i = 0; i < n * n; i++) r[i] = a * p[i] + b * q[i];
+    for (int i = 0; i < total; i++) r[i] = a * p[i] + b * q[i];
 }
 
 static void scale(double c, N_Vector x, N_Vector z) {
     const double *p = array(x);
     double *r = array(z);
 #pragma omp simd
-    for (int i = 0; i < n * n; i++) r[i] = c * p[i];
+    for (int i = 0; i < total; i++) r[i] = c * p[i];
 }
 
 static void constant(double c, N_Vector z) {
     double *r = array(z);
-    for (int i = 0; i < n * n; i++) r[i] = c;
+    for (int i = 0; i < total; i++) r[i] = c;
 }
 
 static void product(N_Vector x, N_Vector y, N_Vector z) {
     const double *p = array(x), *q = array(y);
     double *r = array(z);
 #pragma omp simd
-    for (int i = 0; i < n * n; i++) r[i] = p[i] * q[i];
+    for (int i = 0; i < total; i++) r[i] = p[i] * q[i];
 }
 
 static double dot(N_Vector x, N_Vector y) {
     const double *p = array(x), *q = array(y);
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
-    for (int i = 0; i < n * n; i++) sum += p[i] * q[i];
+    for (int i = 0; i < total; i++) sum += p[i] * q[i];
     return sum;
 }
 
@@ -92,8 +96,8 @@ static double weighted_norm(N_Vector x, N_Vector w) {
     const double *p = array(x), *q = array(w);
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
-    for (int i = 0; i < n * n; i++) sum += p[i] * q[i] * p[i] * q[i];
-    return sqrt(sum / n / n);
+    for (int i = 0; i < total; i++) sum += p[i] * q[i] * p[i] * q[i];
+    return sqrt(sum / total);
 }
 
 static int linear_combination(int count, double *c, N_Vector *X, N_Vector z) {
@@ -125,26 +129,42 @@ static double place(int i) {
 }
 
 static void fill_start(double *T) {
-    double edge = half_jump * (1 + 1e-12);
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++) T[j * n + i] = fabs(place(i)) <= edge && fabs(place(j)) <= edge ? T0 : 0;
+    for (int c = 0; c < total; c++) {
+        int hot = 1;
+        for (int a = 0, rest = c; a < dim; a++, rest /= n) hot &= fabs(place(rest % n)) <= half[a] * (1 + 1e-12);
+        T[c] = hot ? T0 : 0;
+    }
 }
 
-/* One line of cells; a ghost beyond a wall has the opposite temperature. */
-static void second_difference(const double *restrict below, const double *restrict row, const double *restrict above,
-                              double *restrict out) {
-    double cx = kappa[0] / (dx * dx), cy = kappa[1] / (dx * dx);
-    for (int i = 1; i < n - 1; i++)
-        out[i] = cx * (row[i - 1] - 2 * row[i] + row[i + 1]) + cy * (below[i] - 2 * row[i] + above[i]);
-    out[0] = cx * (row[1] - 3 * row[0]) + cy * (below[0] - 2 * row[0] + above[0]);
-    out[n - 1] = cx * (row[n - 2] - 3 * row[n - 1]) + cy * (below[n - 1] - 2 * row[n - 1] + above[n - 1]);
+/* One line of cells along x, with the lines beside it along y (and z); a ghost beyond a wall has the opposite
+ * temperature. */
+static void second_difference(const double *restrict row, const double *const beside[4], double *restrict out) {
+    const double *restrict y0 = beside[0], *restrict y1 = beside[1], *restrict z0 = beside[2],
+                           *restrict z1 = beside[3];
+    double cx = kappa[0] / (dx * dx), cy = kappa[1] / (dx * dx), cz = kappa[2] / (dx * dx);
+    for (int i = 1; i < n - 1 && dim == 2; i++)
+        out[i] = cx * (row[i - 1] - 2 * row[i] + row[i + 1]) + cy * (y0[i] - 2 * row[i] + y1[i]);
+    for (int i = 1; i < n - 1 && dim == 3; i++)
+        out[i] = cx * (row[i - 1] - 2 * row[i] + row[i + 1]) + cy * (y0[i] - 2 * row[i] + y1[i]) +
+                 cz * (z0[i] - 2 * row[i] + z1[i]);
+    for (int i = 0; i < n; i += n - 1) {
+        out[i] = cx * ((i ? row[i - 1] : row[1]) - 3 * row[i]) + cy * (y0[i] - 2 * row[i] + y1[i]);
+        if (dim == 3) out[i] += cz * (z0[i] - 2 * row[i] + z1[i]);
+    }
 }
 
 static void laplacian(const double *T, double *out, double *ghosts) {
-    for (int j = 0; j < n; j++) {
-        const double *row = T + j * n, *below = row - n, *above = row + n;
-        for (int i = 0; i < n && (j == 0 || j == n - 1); i++) ghosts[i] = -row[i];
-        second_difference(j ? below : ghosts, row, j < n - 1 ? above : ghosts, out + j * n);
+    for (int line = 0; line < total / n; line++) {
+        const double *row = T + (ptrdiff_t)line * n, *beside[4] = {NULL};
+        int wall = 0;
+        for (int a = 1, rest = line; a < dim; a++, rest /= n) {
+            ptrdiff_t step = a == 1 ? n : (ptrdiff_t)n * n;
+            beside[2 * a - 2] = rest % n > 0 ? row - step : ghosts;
+            beside[2 * a - 1] = rest % n < n - 1 ? row + step : ghosts;
+            wall |= rest % n == 0 || rest % n == n - 1;
+        }
+        for (int i = 0; i < n && wall; i++) ghosts[i] = -row[i];
+        second_difference(row, beside, out + (ptrdiff_t)line * n);
     }
 }
 
@@ -181,9 +201,11 @@ static double now(void) {
 static void write_answer(const char *path, const double *T, double seconds) {
     FILE *f = fopen(path, "w");
     if (!f) stop("the answer cannot be written");
-    fprintf(f, "# seconds = %.9g\nx,y,T\n", seconds);
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++) fprintf(f, "%.17g,%.17g,%.17g\n", place(i), place(j), T[j * n + i]);
+    fprintf(f, "# seconds = %.9g\n%s\n", seconds, dim == 3 ? "x,y,z,T" : "x,y,T");
+    for (int c = 0; c < total; c++) {
+        for (int a = 0, rest = c; a < dim; a++, rest /= n) fprintf(f, "%.17g,", place(rest % n));
+        fprintf(f, "%.17g\n", T[c]);
+    }
     if (fclose(f)) stop("the answer cannot be written");
 }
 
@@ -194,7 +216,7 @@ int main(int argc, char **argv) {
     if (argc != 4) stop("three arguments are needed: CASE OUT TOLERANCE");
     read_case(argv[1]);
     if (SUNContext_Create(NULL, &sun)) stop("SUNContext_Create failed");
-    N_Vector T = N_VNew_Serial((sunindextype)n * n, sun);
+    N_Vector T = N_VNew_Serial(total, sun);
     double *ghosts = calloc((size_t)n, sizeof *ghosts);
     if (!T || !ghosts) stop("out of memory");
     use_loops(T);
