@@ -67,7 +67,7 @@ static struct foot ball_foot(const struct problem *p, enum side s, const double 
 }
 
 static double ball_volume(const struct problem *p, const double *lo, const double *hi) {
-    (void)lo, (void)hi; /* of the whole ball */
+    (void)lo, (void)hi; /* the whole ball */
     return 4 * M_PI / 3 * pow(p->radius[1], 3);
 }
 
