@@ -30,6 +30,35 @@ void problem_wall_range(const struct problem *p, enum side s, const double *x, d
     }
 }
 
+static double later_wall(const struct problem *p, enum side s, const double *x, double t) {
+    const struct later *l = p->data;
+    return l->of->wall(l->of, s, x, l->time + t);
+}
+
+static double later_rate(const struct problem *p, enum side s, const double *x, double t) {
+    const struct later *l = p->data;
+    return l->of->wall_rate(l->of, s, x, l->time + t);
+}
+
+static double later_source(const struct problem *p, const double *x) {
+    const struct later *l = p->data;
+    return problem_source(l->of, x, l->time);
+}
+
+void problem_later(const struct problem *p, double time, struct later *l) {
+    *l = (struct later){.problem = *p, .of = p, .time = time};
+    l->problem.data = l;
+    l->problem.wall = later_wall;
+    if (p->wall_rate) l->problem.wall_rate = later_rate;
+    if (p->source) l->problem.source = later_source;
+    l->problem.initial = NULL;
+    l->problem.source_rate = NULL;
+}
+
+int problem_changes(const struct problem *p) {
+    return p->wall_rate || p->source_rate;
+}
+
 double problem_source(const struct problem *p, const double *x, double t) {
     if (p->source_at) return p->source_at(p, x, t);
     return (p->source ? p->source(p, x) : 0) + (p->source_rate ? t * p->source_rate(p, x) : 0);

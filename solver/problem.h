@@ -74,6 +74,19 @@ double problem_held(const struct problem *p, enum side s, const double *x, doubl
 /* Widens [*lo, *hi] by the values of `wall` at x during the run (of changing walls, at 65 times). */
 void problem_wall_range(const struct problem *p, enum side s, const double *x, double *lo, double *hi);
 
+/* A problem with its clock set forward: wall, wall_rate and source at its time 0 are those of *of at `time`. */
+struct later {
+    struct problem problem;
+    const struct problem *of;
+    double time; /* s */
+};
+
+/* Fills *l, which may not move while it is in use. */
+void problem_later(const struct problem *p, double time, struct later *l);
+
+/* 1 if walls or source change in time. */
+int problem_changes(const struct problem *p);
+
 /* Total source at x and time t, W m^-3; 0 if there is none. */
 double problem_source(const struct problem *p, const double *x, double t);
 

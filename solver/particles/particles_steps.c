@@ -99,7 +99,7 @@ static double heat_added(const struct problem *p, const struct field *f, const d
     for (int m = 1; m < p->materials; m++) rho_c = fmin(rho_c, p->material[m].rho_c);
     for (size_t i = 0; i < f->n && p->source; i++) {
         double x[DIM_MAX] = {f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0};
-        source = fmax(source, fabs(p->source(p, x)));
+        source = fmax(source, fmax(fabs(p->source(p, x)), fabs(problem_source(p, x, p->t_end))));
     }
     for (int s = 0; s < 2 * p->dim; s++) {
         double extent = p->hi[s / 2] - p->lo[s / 2], k = p->material[0].k[s / 2];
@@ -118,11 +118,12 @@ static void data_range(const struct problem *p, const struct field *f, double *l
             double at[2] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, for a round wall */
             for (int a = 0; a < 2 && !p->shape; a++) at[a] = p->lo[a] + k / 8.0 * (p->hi[a] - p->lo[a]);
             struct foot foot = shape_foot(p, s, at);
-            double value = p->wall(p, (enum side)s, foot.x, 0);
+            double least = HUGE_VAL, most = -HUGE_VAL;
+            problem_wall_range(p, (enum side)s, foot.x, &least, &most);
             if (p->side[s] == NEUMANN)
-                flux[s] = fmax(flux[s], fabs(value));
+                flux[s] = fmax(flux[s], fmax(-least, most));
             else
-                *lo = fmin(*lo, value), *hi = fmax(*hi, value);
+                *lo = fmin(*lo, least), *hi = fmax(*hi, most);
         }
     double add = heat_added(p, f, flux);
     *lo -= add, *hi += add;
@@ -158,6 +159,7 @@ int particles_integrate(const struct problem *p, const struct options *o, const 
     data_range(p, f, &m.lo, &m.hi);
     f->data[0] = m.lo, f->data[1] = m.hi;
     m.x = f->x, m.y = f->y;
+    m.changing = problem_changes(p) ? p : NULL, m.options = o;
     if (check_damping(o, a, &m, why)) return why->status;
     return stepper_march(a, &m, f->T, &f->cost.bytes, why);
 }

@@ -201,12 +201,20 @@ static struct difference highest(const struct problem *p, int side, const double
     return sum;
 }
 
+/* The part of dT/dt = `wall_rate`, or of its gradient, in k_n times the same term. */
+static double rise(const struct problem *p, int side, const double foot[2], double d) {
+    const struct material *m = &p->material[layout_material(p, foot[0])];
+    double part = p->side[side] == NEUMANN ? d / (3 * m->k[side / 2]) : 1;
+    return part * d * d * m->rho_c * p->wall_rate(p, (enum side)side, foot, 0);
+}
+
 /* The same with the step d, or 0 if its error is larger than the term.  The error decreases with the square of the
  * step, so half the step gives an estimate.  For k_n far below k_t only this error and round-off remain. */
 static double highest_known(const struct problem *p, int side, const double *foot, double d) {
     struct difference whole = highest(p, side, foot, d, 1), half = highest(p, side, foot, d, 0.5);
     double error = fabs(whole.value - half.value) * 4 / 3, rounding = 4 * DBL_EPSILON * (whole.size + half.size);
-    return fabs(4 * half.value - whole.value) / 3 > error + rounding ? whole.value : 0;
+    double known = fabs(4 * half.value - whole.value) / 3 > error + rounding ? whole.value : 0;
+    return p->wall_rate ? known - rise(p, side, foot, d) : known;
 }
 
 /* One reflection of `at` along the axis of a side to the coordinate `source`: T_at = *sign T_source + the returned

@@ -187,10 +187,11 @@ static int side_has_values(const struct heat_operator *a, const struct problem *
     return 0;
 }
 
-/* 1 if a source or a wall value is not zero. */
+/* 1 if a source or a wall value is not zero, or may change. */
 static int has_constants(const struct heat_operator *a, const struct problem *p) {
     const struct lattice *l = &a->lattice;
     double x[DIM_MAX];
+    if (problem_changes(p)) return 1;
     for (int k = 0; k < l->n[2] && p->source; k++)
         for (int j = 0; j < l->n[1]; j++)
             for (int i = 0; i < l->n[0]; i++) {
@@ -232,6 +233,14 @@ static void add_constants(const struct heat_operator *a, const struct problem *p
             }
     for (int k = -a->reach[2]; k < l->n[2] + a->reach[2]; k++)
         for (int j = -a->reach[1]; j < l->n[1] + a->reach[1]; j++) add_ghosts(a, p, o, j, k, g);
+}
+
+void operator_constants(const struct heat_operator *a, const struct problem *p, const struct options *o, double t,
+                        double *g) {
+    struct later now;
+    problem_later(p, t, &now);
+    memset(g, 0, a->state * sizeof *g);
+    add_constants(a, &now.problem, o, g);
 }
 
 static void count_pairs(struct heat_operator *a) {

@@ -122,6 +122,9 @@ static inline int operator_images(int i, int j, int k) {
 /* For a lattice of one material. */
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why);
+/* g (one state) at the time t, s, of an operator on a lattice. */
+void operator_constants(const struct heat_operator *a, const struct problem *p, const struct options *o, double t,
+                        double *g);
 /* For particles at any positions; spacing (m) is the unit of the option h. */
 int operator_create_csr(struct heat_operator *a, const struct problem *p, const struct options *o,
                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);

@@ -71,6 +71,7 @@ const struct stepper stepper_chebyshev = {
     .name = "chebyshev",
     .about = "exp(tA) by Chebyshev polynomials, to round-off; use more steps if two runs differ",
     .arrays = 3,
+    .degree = 4,
     .count = degree,
     .length = length,
     .updates = updates};

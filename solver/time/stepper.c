@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The march of explicit steppers through dT/dt = L(T) = A T + g.  Each step is a list of updates from the stepper,
- * the same in every step. */
+ * the same in every step.  g changes with the walls and the source (changing.c). */
 #include "solver/time/stepper.h"
+#include "solver/time/changing.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -64,31 +65,56 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
         step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt, reason);
 }
 
-/* Updates that read and write two states; Y[0] is the current state on entry and exit. */
-static void update_in_turn(const struct heat_operator *a, const struct update *u, int count, double *Y[2]) {
-    for (int k = 0; k < count; k += TOGETHER) state_update(a, u + k, count - k < TOGETHER ? count - k : TOGETHER, Y);
+/* Updates that read and write two states; Y[0] is the current state on entry and exit.  Data that change (c, or
+ * NULL) are set for each update. */
+static void update_in_turn(const struct heat_operator *a, struct changing *c, const struct update *u, int count,
+                           double *Y[2]) {
+    for (int k = 0; k < count && c; k++) {
+        changing_update(c, &u[k]);
+        state_update(a, &u[k], 1, Y);
+    }
+    for (int k = 0; k < count && !c; k += TOGETHER)
+        state_update(a, u + k, count - k < TOGETHER ? count - k : TOGETHER, Y);
 }
 
 /* A step whose updates also read the state at its start.  That state is kept while the other two alternate. */
-static void update_from_start(const struct heat_operator *a, struct update *u, int stages, double *Y[3]) {
+static void update_from_start(const struct heat_operator *a, struct changing *c, struct update *u, int stages,
+                              double *Y[3]) {
     double *T = Y[0], *turn[2] = {Y[1], Y[2]};
-    state_update(a, u, 1, (double *[2]){T, Y[1]});
+    update_in_turn(a, c, u, 1, (double *[2]){T, Y[1]});
     for (int k = 1; k < stages; k++) u[k].Y0 = u[k].start != 0 ? T : NULL;
-    update_in_turn(a, u + 1, stages - 1, turn);
+    update_in_turn(a, c, u + 1, stages - 1, turn);
     Y[0] = turn[0], Y[1] = turn[1], Y[2] = T;
 }
 
 /* A damping first step: two quarter steps, then half a step. */
-static void damping_step(const struct heat_operator *a, const struct march *m, double *Y[3]) {
+static void damping_step(const struct heat_operator *a, struct changing *c, const struct march *m, double *Y[3]) {
     const struct stepper *s = stepper_of(m->stepper);
     int most = m->start[0] > m->start[1] ? m->start[0] : m->start[1];
     double dt = m->time / (double)m->steps;
     struct update *u = xcalloc((size_t)most, sizeof *u);
     s->damp(dt / 4, m->start[0], u);
-    for (int quarter = 0; quarter < 2; quarter++) update_in_turn(a, u, m->start[0], Y);
+    for (int quarter = 0; quarter < 2; quarter++) {
+        changing_begin(c, quarter * dt / 4, dt / 4);
+        update_in_turn(a, c, u, m->start[0], Y);
+    }
     s->updates(dt / 2, m->bound, m->start[1], u);
-    update_from_start(a, u, m->start[1], Y);
+    changing_begin(c, dt / 2, dt / 2);
+    update_from_start(a, c, u, m->start[1], Y);
     free(u);
+}
+
+/* Steps first <= k < end, each with its own data. */
+static void changing_steps(const struct heat_operator *a, struct changing *c, const struct march *m, struct update *u,
+                           int stages, long long first, long long end, double *Y[3]) {
+    double dt = m->time / (double)m->steps;
+    for (long long k = first; k < end; k++) {
+        changing_begin(c, (double)k * dt, dt);
+        if (stepper_of(m->stepper)->arrays == 2)
+            update_in_turn(a, c, u, stages, Y);
+        else
+            update_from_start(a, c, u, stages, Y);
+    }
 }
 
 /* The updates of `count` steps; the caller frees them. */
@@ -107,6 +133,7 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
     int status = STATUS_OK;
     double *Y[3] = {NULL};
     struct heat_operator own = *a;
+    struct changing *c = m->changing ? changing_create(&own, m, bytes) : NULL;
     struct update *u = list_updates(m, s, stages, arrays == 2 ? TOGETHER : 1);
     own.threads = stepper_threads(a->threads, a->n);
     for (int k = 0; k < arrays; k++) Y[k] = xcalloc(a->state, sizeof *Y[k]);
@@ -114,14 +141,16 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
     state_load(a, T, Y[0]);
     for (long long done = 0; done < m->steps && !status;) {
         int count = m->steps - done < TOGETHER ? (int)(m->steps - done) : TOGETHER, damps = done == 0 && m->start[0];
-        if (damps) damping_step(&own, m, Y);
-        if (arrays == 2) update_in_turn(&own, u, count * stages, Y);
-        for (int k = damps; k < count && arrays == 3; k++) update_from_start(&own, u, stages, Y);
+        if (damps) damping_step(&own, c, m, Y);
+        if (c) changing_steps(&own, c, m, u, stages, done + damps, done + count, Y);
+        if (arrays == 2 && !c) update_in_turn(&own, NULL, u, count * stages, Y);
+        for (int k = damps; k < count && arrays == 3 && !c; k++) update_from_start(&own, NULL, u, stages, Y);
         done += count;
         status = check_bounds(m, a, Y[0], done, why);
     }
     state_store(a, Y[0], T);
     for (int k = 0; k < arrays; k++) free(Y[k]);
     free(u);
+    changing_free(c);
     return status;
 }

@@ -21,7 +21,10 @@ struct march {
                      follows; 0: the first step is like all others */
     const double *x, *y; /* m, positions for messages; NULL if there are none; y is NULL on a rod */
     double lo, hi;       /* K, range of a stable run, see stepper_march */
-    double bound;        /* s^-1, spectral bound */
+    const struct problem
+        *changing; /* the problem, if its walls or source change in time, with `options`; else NULL */
+    const struct options *options;
+    double bound; /* s^-1, spectral bound */
 };
 
 /* NULL or 0: not applicable. */
@@ -30,6 +33,7 @@ struct stepper {
     int order;                /* order in time; 0: no time step, or no time error */
     int arrays;               /* states: 2, or 3 if an update reads the state at the start of the step (start, Y0) */
     int stages;               /* updates per step; 0: returned by count */
+    int degree;               /* in time, of data that change within a step (changing.c); 0: 1 */
     double (*error)(int stages);           /* time error relative to that of many stages; NULL: 1 */
     int (*count)(double dt, double bound); /* smallest number of updates for which a step of dt (s) is stable */
     /* Step length, s, if the user asks for `asked` (0: none).  If NULL: `asked`, or half of the stable step,

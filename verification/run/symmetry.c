@@ -26,8 +26,8 @@ int symmetry_reduce(const struct problem *whole, const struct options *o, struct
     for (int a = 0; a < DIM_MAX; a++) {
         double count = a < whole->dim ? (whole->hi[a] - whole->lo[a]) / layout_spacing(whole, o, a) : 0;
         double pairs = round(count / 2);
-        cut[a] = whole->mirror[a] && o->layout == LAYOUT_LATTICE && o->domain == DOMAIN_SYMMETRY && pairs >= 1 &&
-                 fabs(count - 2 * pairs) <= 1e-6 * count;
+        cut[a] = whole->mirror[a] && !whole->wall_rate && o->layout == LAYOUT_LATTICE &&
+                 o->domain == DOMAIN_SYMMETRY && pairs >= 1 && fabs(count - 2 * pairs) <= 1e-6 * count;
         if (!cut[a]) continue;
         half->lo[a] = (whole->lo[a] + whole->hi[a]) / 2;
         half->side[2 * a] = NEUMANN;
