@@ -2,7 +2,7 @@
 /* Finite differences, forward in time and central in space: an independent check of every particle method.  By
  * design the two share not one line of code.
  *
- *   direct       dT_i/dt = kappa_x (T_{i+1} - 2 T_i + T_{i-1}) / dx^2 + the same along y + G / rho_c
+ *   direct       dT_i/dt = kappa_x (T_{i+1} - 2 T_i + T_{i-1}) / dx^2 + the same along y and z + G / rho_c
  *                (Song 2018, eq. 5; Pamplona 2019, eq. 16)
  *   with fluxes  q_i = -kappa_x (T_{i+1} - T_{i-1}) / (2 dx),  dT_i/dt = -(q_{i+1} - q_{i-1}) / (2 dx) + ...
  *                (Song 2018, eq. 6 and Fig. 1d); the stencil (T_{i+2} - 2 T_i + T_{i-2}) / (4 dx^2), which is blind
@@ -10,11 +10,11 @@
  *
  * The symbols along one axis are -(4/dx^2) sin^2(xi dx/2) and -(1/dx^2) sin^2(xi dx), both -xi^2 + A dx^2
  * xi^4 + O(dx^4), with A = 1/12 and 1/3.  Euler's error, -(dt/2) kappa^2 xi^4, cancels A at kappa dt/dx^2 = 2A: the
- * matched run on a rod, of fourth order (with fluxes for smooth data only).  In the plane this would need an
- * isotropic stencil.
+ * matched run on a rod, of fourth order (with fluxes for smooth data only).  In the plane and in space this would
+ * need an isotropic stencil.
  *
- * Restrictions: uniform grid, dx = dy.  The direct form also treats two materials (ftcs_layers.h) and round bodies
- * (ftcs_polar.h). */
+ * Restrictions: uniform grid, dx = dy = dz.  The direct form also treats two materials (ftcs_layers.h) and round
+ * bodies (ftcs_polar.h). */
 #include "solver/differences/ftcs_grid.h"
 #include "solver/differences/ftcs_loops.h"
 #include "solver/differences/ftcs_plan.h"
@@ -25,73 +25,108 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { CHECK_EVERY = 32 };
 
 /* ---- One step ---- */
 
 static void step_direct(struct ftcs_grid *g) {
-    double Fx = g->kappa[0] * g->dt / (g->d[0] * g->d[0]), Fy = g->kappa[1] * g->dt / (g->d[1] * g->d[1]);
-    for (ptrdiff_t j = 0; j < g->n[1]; j++) {
-        const double *T = g->T + g->corner + j * g->stride;
-        double *next = g->next + g->corner + j * g->stride;
-        if (g->layers[3])
-            g->loops->layers_row(g->n[0], g->dt, g->layers[1], g->layers[2], g->layers[3], T, T - g->stride,
-                                 T + g->stride, next);
-        else if (g->layers[0])
-            g->loops->layers(g->n[0], g->dt, g->layers[1], g->layers[2], T, next);
-        else if (g->dim == 1)
-            g->loops->rod(g->n[0], Fx, T, next);
-        else
-            g->loops->row(g->n[0], Fx, Fy, T, T - g->stride, T + g->stride, next);
-        if (g->heating) g->loops->accumulate(g->n[0], g->dt, g->heating + j * g->n[0], next);
-    }
+    const struct ftcs_loops *loops = g->loops;
+    const ptrdiff_t nx = g->n[0], ny = g->n[1], up = g->stride[1], over = g->stride[2];
+    double F[DIM_MAX];
+    for (int a = 0; a < DIM_MAX; a++) F[a] = g->kappa[a] * g->dt / (g->d[a] * g->d[a]);
+    for (ptrdiff_t row = 0, k = 0; k < g->n[2]; k++)
+        for (ptrdiff_t j = 0; j < ny; j++, row++) {
+            const double *T = g->T + g->corner + j * up + k * over;
+            double *next = g->next + g->corner + j * up + k * over;
+            if (g->layers[3])
+                loops->layers_row(g->n[0], g->dt, g->layers[1], g->layers[2], g->layers[3], T, T - up, T + up, next);
+            else if (g->layers[0])
+                loops->layers(g->n[0], g->dt, g->layers[1], g->layers[2], T, next);
+            else if (g->dim == 1)
+                loops->rod(g->n[0], F[0], T, next);
+            else if (g->dim == 2)
+                loops->row(g->n[0], F[0], F[1], T, T - up, T + up, next);
+            else
+                loops->box(g->n[0], F, T, up, over, next);
+            if (g->layers[4]) loops->lateral(g->n[0], g->dt, g->layers[4], T, over, next);
+            if (g->heating) loops->accumulate(g->n[0], g->dt, g->heating + row * nx, next);
+        }
     double *old = g->T;
     g->T = g->next;
     g->next = old;
 }
 
-/* In place: q_y of rows j - 1, j and j + 1 is stored, that of row j + 1 computed before T of row j changes. */
-static void step_fluxes(struct ftcs_grid *g) {
+/* One plane of step_fluxes, in place: q_y of rows j - 1, j and j + 1 is stored, that of row j + 1 computed before T
+ * of row j changes.  `qz` has q_z of the planes below and above, in this order. */
+static void step_plane(struct ftcs_grid *g, ptrdiff_t k, const double *const qz[2]) {
     const struct ftcs_loops *loops = g->loops;
-    int nx = g->n[0];
-    double *qx = g->q, *qy = qx + nx + 2;
-    double half[2] = {0.5 / g->d[0], 0.5 / g->d[1]};
-    for (ptrdiff_t j = g->dim == 2 ? -2 : 0; j < g->n[1]; j++) {
-        double *T = g->T + g->corner + j * g->stride;
-        if (g->dim == 2)
-            loops->difference(nx, -g->kappa[1] * half[1], T + 2 * g->stride, T, 0, qy + (j + 3) % 3 * nx);
+    const int nx = g->n[0], flat = g->dim > 1;
+    const ptrdiff_t up = g->stride[1];
+    double *qx = g->q, *qy = qx + nx + 2, half[DIM_MAX];
+    for (int a = 0; a < DIM_MAX; a++) half[a] = 0.5 / g->d[a];
+    for (ptrdiff_t j = flat ? -2 : 0; j < g->n[1]; j++) {
+        double *T = g->T + g->corner + j * up + k * g->stride[2];
+        if (flat) loops->difference(nx, -g->kappa[1] * half[1], T + 2 * up, T, 0, qy + (j + 3) % 3 * nx);
         if (j < 0) continue;
         loops->difference(nx + 2, -g->kappa[0] * half[0], T, T - 2, 0, qx);
         loops->difference(nx, -g->dt * half[0], qx + 2, qx, 1, T);
-        if (g->dim == 2) loops->difference(nx, -g->dt * half[1], qy + (j + 3) % 3 * nx, qy + (j + 1) % 3 * nx, 1, T);
-        if (g->heating) loops->accumulate(nx, g->dt, g->heating + j * nx, T);
+        if (flat) loops->difference(nx, -g->dt * half[1], qy + (j + 3) % 3 * nx, qy + (j + 1) % 3 * nx, 1, T);
+        if (qz[0]) loops->difference(nx, -g->dt * half[2], qz[1] + j * nx, qz[0] + j * nx, 1, T);
+        if (g->heating) loops->accumulate(nx, g->dt, g->heating + (k * g->n[1] + j) * nx, T);
+    }
+}
+
+/* As step_plane, with planes for rows. */
+static void step_fluxes(struct ftcs_grid *g) {
+    const ptrdiff_t nx = g->n[0], ny = g->n[1], plane = nx * ny, over = g->stride[2];
+    const double *qz[2] = {NULL, NULL};
+    for (ptrdiff_t k = g->dim == 3 ? -2 : 0; k < g->n[2]; k++) {
+        if (g->dim == 3) {
+            double *q = g->q + nx + 2 + 3 * nx, *ahead = q + (k + 3) % 3 * plane;
+            const double *T = g->T + g->corner + k * over;
+            for (ptrdiff_t j = 0; j < ny; j++, T += g->stride[1])
+                g->loops->difference(g->n[0], -g->kappa[2] * (0.5 / g->d[2]), T + 2 * over, T, 0, ahead + j * nx);
+            qz[0] = q + (k + 4) % 3 * plane, qz[1] = ahead;
+        }
+        if (k >= 0) step_plane(g, k, qz);
     }
 }
 
 /* dt sum of kappa/dx^2; stable up to 1/2, with fluxes up to 2. */
 static double fourier_sum(const struct ftcs_grid *g) {
-    double rate = g->kappa[0] / (g->d[0] * g->d[0]) + g->kappa[1] / (g->d[1] * g->d[1]);
-    for (int i = 0; g->layers[0] && i < g->n[0]; i++)
-        rate = fmax(rate, (g->layers[1][i] + g->layers[2][i]) / 2 + (g->layers[3] ? g->layers[3][i] : 0));
+    double rate = 0;
+    for (int a = 0; a < DIM_MAX; a++) rate += g->kappa[a] / (g->d[a] * g->d[a]);
+    for (int i = 0; g->layers[0] && i < g->n[0]; i++) {
+        double here = (g->layers[1][i] + g->layers[2][i]) / 2;
+        for (int a = 1; a < g->dim; a++) here += g->layers[2 + a][i];
+        rate = fmax(rate, here);
+    }
     return g->dt * rate;
 }
 
 /* Refuses at the first point outside the reach; a NaN is outside. */
 static int check_stable(const struct ftcs_grid *g, long long step, struct failure *why) {
-    for (int j = 0; j < g->n[1]; j++) {
-        const double *row = g->T + g->corner + j * g->stride;
-        if (g->loops->outside(g->n[0], g->middle, g->reach, row) == 0) continue;
-        int i = 0;
-        while (fabs(row[i] - g->middle) <= g->reach) i++;
-        char y[40] = "";
-        if (g->dim == 2) snprintf(y, sizeof y, ", y = %g m", g->origin[1] + j * g->d[1]);
-        return refuse(why, STATUS_UNSTABLE,
-                      "%s: unstable at step %lld of %lld, t = %g s: T = %g K at x = %g m%s; "
-                      "sum of kappa dt/dx^2 is %g, stable up to %g",
-                      g->method, step, g->steps, g->start + (double)step * g->dt, row[i], g->origin[0] + i * g->d[0],
-                      y, fourier_sum(g), g->with_fluxes ? 2 : 0.5);
-    }
+    int i[DIM_MAX] = {0};
+    for (i[2] = 0; i[2] < g->n[2]; i[2]++)
+        for (i[1] = 0; i[1] < g->n[1]; i[1]++) {
+            const double *row = g->T + ftcs_grid_at(g, i);
+            if (g->loops->outside(g->n[0], g->middle, g->reach, row) == 0) continue;
+            double x[DIM_MAX];
+            char place[120] = "";
+            while (fabs(row[i[0]] - g->middle) <= g->reach) i[0]++;
+            ftcs_grid_place(g, i, x);
+            for (int a = 0; a < g->dim; a++) {
+                size_t used = strlen(place);
+                snprintf(place + used, sizeof place - used, "%s%c = %g m", a ? ", " : "", 'x' + a, x[a]);
+            }
+            return refuse(why, STATUS_UNSTABLE,
+                          "%s: unstable at step %lld of %lld, t = %g s: T = %g K at %s; "
+                          "sum of kappa dt/dx^2 is %g, stable up to %g",
+                          g->method, step, g->steps, g->start + (double)step * g->dt, row[i[0]], place,
+                          fourier_sum(g), g->with_fluxes ? 2 : 0.5);
+        }
     return STATUS_OK;
 }
 
@@ -100,39 +135,46 @@ static int check_stable(const struct ftcs_grid *g, long long step, struct failur
 extern const struct method method_ftcs_flux;
 
 static double heat(const struct ftcs_grid *g) {
+    const ptrdiff_t n = ftcs_grid_points(g);
+    int i[DIM_MAX] = {0};
     long double sum = 0;
-    for (int j = 0; j < g->n[1]; j++)
-        for (int i = 0; i < g->n[0]; i++)
-            sum += ftcs_grid_cell(g, i, j) * ftcs_grid_rho_c(g, i) * g->T[g->corner + j * g->stride + i];
+    for (ptrdiff_t k = 0; k < n; k++, ftcs_grid_next(g, i))
+        sum += ftcs_grid_cell(g, i) * ftcs_grid_rho_c(g, i[0]) * g->T[ftcs_grid_at(g, i)];
     return (double)sum;
 }
 
 static int has_whole_cells(const struct ftcs_grid *g) {
-    return g->end_cell[X_LO] * g->end_cell[X_HI] * g->end_cell[Y_LO] * g->end_cell[Y_HI] == 1;
+    double share = 1;
+    for (int s = 0; s < SIDES; s++) share *= g->end_cell[s];
+    return share == 1;
 }
 
 /* Frees everything except T before the field is allocated, which keeps peak memory low. */
 static void hand_over(struct ftcs_grid *g, struct field *f) {
-    ptrdiff_t nx = g->n[0], n = nx * g->n[1];
+    const ptrdiff_t n = ftcs_grid_points(g);
+    int i[DIM_MAX] = {0};
     size_t held = g->held * sizeof *g->T;
     ftcs_grid_keep_T(g);
     field_alloc(f, g->dim, (size_t)n);
     f->cost.bytes = held;
     if (!has_whole_cells(g)) f->weight = xcalloc((size_t)n, sizeof *f->weight);
-    for (ptrdiff_t k = 0; k < n; k++) {
-        int i = (int)(k % nx), j = (int)(k / nx);
-        f->x[k] = g->origin[0] + i * g->d[0];
-        if (f->y) f->y[k] = g->origin[1] + j * g->d[1];
-        f->T[k] = g->T[g->corner + j * g->stride + i];
-        if (f->weight) f->weight[k] = ftcs_grid_cell(g, i, j);
+    for (ptrdiff_t k = 0; k < n; k++, ftcs_grid_next(g, i)) {
+        double x[DIM_MAX];
+        ftcs_grid_place(g, i, x);
+        f->x[k] = x[0];
+        if (f->y) f->y[k] = x[1];
+        if (f->z) f->z[k] = x[2];
+        f->T[k] = g->T[ftcs_grid_at(g, i)];
+        if (f->weight) f->weight[k] = ftcs_grid_cell(g, i);
     }
 }
 
-static int run(struct ftcs_grid *g, struct failure *why) {
+static int run(struct ftcs_grid *g, const struct problem *p, struct failure *why) {
     const double mean = g->dt;
     for (long long step = 1; step <= g->steps; step++) {
         g->dt = mean * (step % 2 ? 1 + g->alternation : 1 - g->alternation);
-        ftcs_grid_walls(g);
+        if (p->wall_rate) ftcs_edge_data(g, p, (double)(step - 1) * mean);
+        ftcs_edge_walls(g);
         if (g->warming[0]) ftcs_grid_source(g, (double)(step - 1) * mean);
         if (g->with_fluxes)
             step_fluxes(g);
@@ -150,11 +192,11 @@ static int run(struct ftcs_grid *g, struct failure *why) {
 /* Counts points, steps and their cost.  Fluxes need two neighbours for q and two for its slope; averages need four
  * quadrature nodes per piece of the spline along each axis. */
 static void count(const struct ftcs_grid *g, const struct options *o, struct field *f) {
-    const double n = (double)g->n[0] * g->n[1];
+    const double n = (double)ftcs_grid_points(g);
     const int pieces = o->sampling == SAMPLING_SPLINE ? 4 : 1, nodes = o->sampling == SAMPLING_POINT ? 1 : 4 * pieces;
     f->dim = g->dim, f->n = (size_t)n;
     f->dt = g->dt, f->steps = g->steps, f->stages = 1;
-    f->cost.updates = g->steps * g->n[0] * g->n[1];
+    f->cost.updates = g->steps * ftcs_grid_points(g);
     f->cost.interactions = f->cost.updates * (g->with_fluxes ? 4 : 2) * g->dim;
     f->cost.work = WORK_SCALAR * n * (WORK_PLACE + WORK_SAMPLE * pow(nodes, g->dim));
     f->cost.work += (double)f->cost.interactions + 2 * (double)f->cost.updates;
@@ -169,17 +211,14 @@ static int solve(const struct method *m, const struct problem *p, const struct o
     int status = ftcs_grid_make(&g, m->name, m == &method_ftcs_flux, p, o, why);
     if (status) return status;
     double before = heat(&g), stepping = field_clock();
-    status = run(&g, why);
+    status = run(&g, p, why);
     double stepped = field_clock();
     if (status == STATUS_OK) {
         double after = heat(&g);
         hand_over(&g, f);
         count(&g, o, f);
-        f->shape[0] = g.n[0];
-        f->shape[1] = g.n[1];
-        f->shape[2] = 1;
-        f->spacing[0] = g.d[0];
-        f->spacing[1] = p->dim == 2 ? g.d[1] : 0;
+        for (int a = 0; a < DIM_MAX; a++) f->shape[a] = g.n[a];
+        for (int a = 0; a < p->dim; a++) f->spacing[a] = g.d[a];
         f->time = p->t_end;
         f->heat[0] = before;
         f->heat[1] = after;

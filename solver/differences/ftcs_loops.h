@@ -2,6 +2,8 @@
 #ifndef HEATLADDER_SOLVER_DIFFERENCES_FTCS_LOOPS_H
 #define HEATLADDER_SOLVER_DIFFERENCES_FTCS_LOOPS_H
 
+#include <stddef.h>
+
 /* Loops over a row of n points.  All pointers are to the first point of the row; T is read one point beyond either
  * end. */
 struct ftcs_loops {
@@ -17,6 +19,12 @@ struct ftcs_loops {
     /* a row of a rectangle */
     void (*row)(int n, double Fx, double Fy, const double *restrict T, const double *restrict below,
                 const double *restrict above, double *restrict next);
+    /* a row of a box: F by axis, `up` and `over` the offsets along y and z */
+    void (*box)(int n, const double F[3], const double *restrict T, ptrdiff_t up, ptrdiff_t over,
+                double *restrict next);
+    /* two materials: next += dt across (T_over - 2 T_i + T_under) */
+    void (*lateral)(int n, double dt, const double *restrict across, const double *restrict T, ptrdiff_t over,
+                    double *restrict next);
     /* to = (with `add`: to +=) factor (ahead - behind) */
     void (*difference)(int n, double factor, const double *restrict ahead, const double *restrict behind, int add,
                        double *restrict to);

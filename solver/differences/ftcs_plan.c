@@ -25,25 +25,25 @@ static int divides(const struct problem *p, double dx) {
 static int check_spacing(const struct problem *p, double dx, struct failure *why) {
     enum { SEARCH = 100000 };
     const double most = 1e9;
-    double extent[2] = {p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]}, count = extent[0] / dx;
-    double points = count * (p->dim == 2 ? extent[1] / dx : 1);
+    double extent = p->hi[0] - p->lo[0], count = extent / dx, points = 1;
+    for (int a = 0; a < p->dim; a++) points *= (p->hi[a] - p->lo[a]) / dx;
     if (!(dx > 0 && isfinite(dx))) return refuse(why, STATUS_INPUT, "--dx %g: must be positive and finite", dx);
     if (points > most) return refuse(why, STATUS_INPUT, "--dx %g: %.3g grid points, at most %g", dx, points, most);
     if (divides(p, dx)) return STATUS_OK;
 
     double below = floor(count), above = fmax(below + 1, SPACINGS_MIN);
-    for (int i = 0; i < SEARCH && below >= SPACINGS_MIN && !divides(p, extent[0] / below); i++) below--;
-    for (int i = 0; i < SEARCH && !divides(p, extent[0] / above); i++) above++;
-    int coarser = divides(p, extent[0] / below), finer = divides(p, extent[0] / above);
-    char domain[64] = "", near[80] = "none found";
-    if (p->dim == 2) snprintf(domain, sizeof domain, " by %g m", extent[1]);
+    for (int i = 0; i < SEARCH && below >= SPACINGS_MIN && !divides(p, extent / below); i++) below--;
+    for (int i = 0; i < SEARCH && !divides(p, extent / above); i++) above++;
+    int coarser = divides(p, extent / below), finer = divides(p, extent / above);
+    char domain[DIM_MAX][32] = {"", "", ""}, near[80] = "none found";
+    for (int a = 1; a < p->dim; a++) snprintf(domain[a], sizeof domain[a], " by %g m", p->hi[a] - p->lo[a]);
     if (coarser && finer)
-        snprintf(near, sizeof near, "%.10g and %.10g", extent[0] / below, extent[0] / above);
+        snprintf(near, sizeof near, "%.10g and %.10g", extent / below, extent / above);
     else if (coarser || finer)
-        snprintf(near, sizeof near, "%.10g", extent[0] / (coarser ? below : above));
+        snprintf(near, sizeof near, "%.10g", extent / (coarser ? below : above));
     return refuse(why, STATUS_INPUT,
-                  "--dx %.10g: does not divide %g m%s into whole spacings, %d or more; nearest: %s", dx, extent[0],
-                  domain, SPACINGS_MIN, near);
+                  "--dx %.10g: does not divide %g m%s%s into whole spacings, %d or more; nearest: %s", dx, extent,
+                  domain[1], domain[2], SPACINGS_MIN, near);
 }
 
 static int check_times(const struct problem *p, const struct options *o, struct failure *why) {
@@ -67,19 +67,23 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
     const int round = p->shape != NULL, two = p->materials > 1, node = o->layout == LAYOUT_NODE;
     const int matched = options_is_matched(o), periodic = !round && p->side[X_LO] == PERIODIC;
     const int steps = matched || o->stepper == STEPPER_AUTO || o->stepper == STEPPER_EULER;
-    int robin = 0, robin_across = !round && p->dim == 2 && (p->side[Y_LO] == ROBIN || p->side[Y_HI] == ROBIN);
+    int robin = 0, robin_across = 0;
     for (int s = 0; s < 2 * p->dim && !round; s++) robin |= p->side[s] == ROBIN;
+    for (int s = Y_LO; s < 2 * p->dim && !round; s++) robin_across |= p->side[s] == ROBIN;
     const struct {
         int refuses;
         const char *option, *value, *text;
     } table[] = {
-        {round && with_fluxes, NULL, NULL, "needs a rod or a rectangle, this scene has a round body; use ftcs"},
+        {round && with_fluxes, NULL, NULL,
+         "needs a rod or a rectangle, this scene has a round body; use ftcs"},
         {round && o->layout != LAYOUT_LATTICE, "layout", layout, "a round body has rings and rays; omit it"},
         {round && o->sampling != SAMPLING_POINT, "sampling", sampling, "rings and rays take points; use point"},
         {round && o->walls != WALLS_MIRROR, "walls", walls, "is for particles; use mirror"},
         {round && (two || p->material[0].k[0] != p->material[0].k[1]), NULL, NULL,
          "takes one material with k_x = k_y in a round body"},
         {round && (matched || !steps), "stepper", stepper, "a round body has euler and auto; use euler"},
+        {round && p->dim == 3, NULL, NULL, "needs a box in space, this scene has a ball"},
+        {round && p->wall_rate, NULL, NULL, "needs steady walls in a round body"},
         {two && with_fluxes, NULL, NULL, "takes one material, the scene has two; use ftcs"},
         {two && robin_across, NULL, NULL,
          "no Robin wall across both materials; use a particle method, such as contact_ssph"},
@@ -93,8 +97,11 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
         {options_is_cloud(o), "layout", layout, "finite differences need a grid; use lattice or node"},
         {o->walls > WALLS_FIXED, "walls", walls, "is for particles; use mirror or fixed"},
         {!steps, "stepper", stepper, "finite differences have euler, auto and, on a rod, matched; use euler"},
-        {matched && p->dim == 2, "stepper", stepper,
-         "in the plane the error is not isotropic, and no step cancels it; use euler"},
+        {matched && p->dim > 1, "stepper", stepper,
+         p->dim == 2 ? "in the plane the error is not isotropic, and no step cancels it; use euler"
+                     : "in space the error is not isotropic, and no step cancels it; use euler"},
+        {matched && p->wall_rate, "stepper", stepper,
+         "the start and the steps of this run are derived for steady walls; use euler"},
         {matched && p->source_rate, "stepper", stepper,
          "a source that depends on time has its own error in Euler's steps, which no step cancels; use euler"},
         {matched && with_fluxes && p->source, "stepper", stepper,
@@ -114,12 +121,11 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
 /* Places the unknowns.  A node on a wall is an unknown on a Neumann side and is given on a Dirichlet side. */
 static void lay_grid(struct ftcs_grid *g, const struct problem *p, const struct options *o) {
     int node = o->layout == LAYOUT_NODE;
-    g->n[1] = 1;
-    g->d[1] = 1;
+    for (int a = 0; a < DIM_MAX; a++) g->n[a] = 1, g->d[a] = 1;
     g->dim = p->dim;
     g->rho_c = p->material[0].rho_c;
     if (p->materials == 2) g->rho_c = fmin(g->rho_c, p->material[1].rho_c);
-    for (int s = 0; s < 4; s++) g->end_cell[s] = node && s / 2 < p->dim && p->side[s] == NEUMANN ? 0.5 : 1;
+    for (int s = 0; s < SIDES; s++) g->end_cell[s] = node && s / 2 < p->dim && p->side[s] == NEUMANN ? 0.5 : 1;
     for (int a = 0; a < p->dim; a++) {
         double extent = p->hi[a] - p->lo[a], spacings = nearbyint(extent / o->dx);
         int given_lo = node && p->side[2 * a] == DIRICHLET, given_hi = node && p->side[2 * a + 1] == DIRICHLET;
@@ -129,13 +135,19 @@ static void lay_grid(struct ftcs_grid *g, const struct problem *p, const struct 
         for (int m = 0; m < p->materials; m++)
             g->kappa[a] = fmax(g->kappa[a], p->material[m].k[a] / p->material[m].rho_c);
     }
-    g->stride = g->n[0] + 2 * FTCS_LAYERS;
-    g->corner = FTCS_LAYERS + (p->dim == 2 ? FTCS_LAYERS * g->stride : 0);
-    g->size = (size_t)(g->stride * (g->n[1] + (p->dim == 2 ? 2 * FTCS_LAYERS : 0)));
+    ptrdiff_t size = 1;
+    for (int a = 0; a < DIM_MAX; a++) {
+        g->stride[a] = size;
+        if (a >= p->dim) continue;
+        g->corner += FTCS_LAYERS * size;
+        size *= g->n[a] + 2 * FTCS_LAYERS;
+    }
+    g->size = (size_t)size;
 }
 
 static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct options *o, struct failure *why) {
-    double square = g->d[0] * g->d[0], kappa = fmax(g->kappa[0], g->kappa[1]), span = p->t_end, count;
+    double square = g->d[0] * g->d[0], kappa = fmax(fmax(g->kappa[0], g->kappa[1]), g->kappa[2]);
+    double span = p->t_end, points = (double)ftcs_grid_points(g), count;
     if (options_is_matched(o)) {
         /* Averaging with a B-spline of order m is equivalent to diffusion for the time m dx^2/(24 kappa).  Point
          * samples of a jump midway between two points are cell averages of data that are steeper by one order. */
@@ -157,9 +169,9 @@ static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct
         count = span > 0 ? fmax(1, ceil(span / dt - 1e-9)) : 0;
     }
     if (!(count <= 1e12)) return refuse(why, STATUS_INPUT, "%s: %g time steps, at most 1e12", g->method, count);
-    if (count * 8 * g->n[0] * g->n[1] > 9e18)
+    if (count * 8 * points > 9e18)
         return refuse(why, STATUS_INPUT, "%s: %g time steps of %g points, above the limit of 9e18 updates", g->method,
-                      count, 1.0 * g->n[0] * g->n[1]);
+                      count, points);
     g->steps = (long long)count;
     g->dt = count > 0 ? span / count : 0;
     return STATUS_OK;

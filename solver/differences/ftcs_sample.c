@@ -3,11 +3,11 @@
  *
  *   T_i = int B((x - x_i)/dx) T(x, 0) dx / dx,   B the indicator of the cell, or the cubic B-spline (4 dx wide),
  *
- * as a tensor product in the plane.  Averages restore second order for a jump at any place (Kreiss, Thomee, Widlund
- * 1970).  A cell of two materials starts at its heat divided by its heat capacity; the points are then the centres
- * of its two parts.  The quadrature is Gauss-Legendre with four points on each smooth piece.  It is split at the
- * knots of B, at the walls, at jumps of the data, at the images of the jumps, and at a plane of symmetry, which is a
- * wall if half of the domain is computed. */
+ * as a tensor product in the plane and in space.  Averages restore second order for a jump at any place (Kreiss,
+ * Thomee, Widlund 1970).  A cell of two materials starts at its heat divided by its heat capacity; the points are
+ * then the centres of its two parts.  The quadrature is Gauss-Legendre with four points on each smooth piece.  It is
+ * split at the knots of B, at the walls, at jumps of the data, at the images of the jumps, and at a plane of
+ * symmetry, which is a wall if half of the domain is computed. */
 #include "solver/differences/ftcs_grid.h"
 
 #include "solver/differences/ftcs_layers.h"
@@ -26,14 +26,14 @@ struct rule {
 /* The initial data, extended beyond a wall by its boundary condition: odd about a Dirichlet value, even about a
  * Neumann wall except for its slope; periodic sides go on at the opposite side.  Beyond a corner between different
  * sides it is the mean over them, independent of the order of the axes. */
-static double continued(const struct problem *p, const double x[2]) {
+static double continued(const struct problem *p, const double *x) {
     double sum = 0;
     int sides = 0;
     for (int s = 0; s < 2 * p->dim; s++) {
         int a = s / 2;
         double wall = s % 2 ? p->hi[a] : p->lo[a], outside = s % 2 ? x[a] - wall : wall - x[a];
         if (outside <= 0) continue;
-        double foot[2] = {x[0], x[1]}, image[2] = {x[0], x[1]};
+        double foot[DIM_MAX] = {x[0], x[1], x[2]}, image[DIM_MAX] = {x[0], x[1], x[2]};
         foot[a] = wall;
         if (p->side[s] == PERIODIC) {
             image[a] = x[a] + (s % 2 ? p->lo[a] - p->hi[a] : p->hi[a] - p->lo[a]);
@@ -101,22 +101,29 @@ static void rule_make(struct rule *r, const struct problem *p, int a, double cen
         }
 }
 
-static double average(const struct problem *p, const double x[2], const double d[2], enum sampling how) {
-    struct rule along, up;
+static double average(const struct problem *p, const double *x, const double *d, enum sampling how) {
+    struct rule rule[DIM_MAX];
     double sum = 0;
-    rule_make(&along, p, 0, x[0], d[0], how);
-    rule_make(&up, p, 1, x[1], d[1], p->dim == 2 ? how : SAMPLING_POINT);
-    for (int j = 0; j < up.count; j++)
-        for (int i = 0; i < along.count; i++)
-            sum += up.weight[j] * along.weight[i] * continued(p, (double[2]){along.at[i], up.at[j]});
+    for (int a = 0; a < DIM_MAX; a++)
+        if (a < p->dim)
+            rule_make(&rule[a], p, a, x[a], d[a], how);
+        else
+            rule_make(&rule[a], p, a, 0, 1, SAMPLING_POINT);
+    for (int k = 0; k < rule[2].count; k++)
+        for (int j = 0; j < rule[1].count; j++)
+            for (int i = 0; i < rule[0].count; i++)
+                sum += rule[2].weight[k] * rule[1].weight[j] * rule[0].weight[i] *
+                       continued(p, (double[DIM_MAX]){rule[0].at[i], rule[1].at[j], rule[2].at[k]});
     return sum;
 }
 
-double ftcs_sample(const struct problem *p, const double x[2], const double d[2], enum sampling how) {
-    double share[2], middle[2], heat = 0;
+double ftcs_sample(const struct problem *p, const double *x, const double *d, enum sampling how) {
+    double share[2], middle[2], heat = 0, at[DIM_MAX] = {x[0]}, width[DIM_MAX] = {d[0]};
     if (ftcs_layers_parts(p, d[0], x[0], share, middle) == 1) return average(p, x, d, how);
-    for (int m = 0; m < 2; m++)
-        heat += share[m] * p->material[m].rho_c *
-                average(p, (double[2]){middle[m], x[1]}, (double[2]){share[m] * d[0], d[1]}, how);
+    for (int a = 1; a < p->dim; a++) at[a] = x[a], width[a] = d[a];
+    for (int m = 0; m < 2; m++) {
+        at[0] = middle[m], width[0] = share[m] * d[0];
+        heat += share[m] * p->material[m].rho_c * average(p, at, width, how);
+    }
     return heat / ftcs_layers_rho_c(p, d[0], x[0]);
 }
