@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_UNIT_FTCS_PROBLEMS_H
 #define HEATLADDER_VERIFICATION_UNIT_FTCS_PROBLEMS_H
 
-/* Rods and planes for the tests of the finite differences; no two of their numbers are equal. */
+/* Rods, planes and boxes for the tests of the finite differences; no two of their numbers are equal. */
 
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
 #include "solver/problem.h"
@@ -12,13 +12,18 @@ extern const struct method method_ftcs, method_ftcs_flux;
 
 static const double PI = 3.14159265358979323846;
 
-/* Their parameters p->param[] are two mode numbers, a level and an amplitude. */
+/* Their parameters p->param[] are two mode numbers, a level and an amplitude; DEEP is the mode number along z. */
+enum { DEEP = 5 };
+
+static inline double number_of(const struct problem *p, int axis) {
+    return p->param[axis < 2 ? axis : DEEP];
+}
 
 /* Vanishes at the walls of p where they are DIRICHLET, has no slope where they are NEUMANN. */
-static inline double mode(const struct problem *p, const double x[2]) {
+static inline double mode(const struct problem *p, const double *x) {
     double T = 1;
     for (int a = 0; a < p->dim; a++) {
-        double phase = p->param[a] * PI * (x[a] - p->lo[a]) / (p->hi[a] - p->lo[a]);
+        double phase = number_of(p, a) * PI * (x[a] - p->lo[a]) / (p->hi[a] - p->lo[a]);
         T *= p->side[2 * a] == DIRICHLET ? sin(phase) : cos(phase);
     }
     return p->param[2] + p->param[3] * T;
@@ -51,6 +56,32 @@ static inline struct problem plane(int along, int up) {
     return p;
 }
 
+/* 0.046, 0.115 and 0.23 m divide its sides. */
+static inline struct problem box(int along, int up, int deep) {
+    struct problem p = plane(along, up);
+    p.dim = 3;
+    p.lo[2] = -0.31, p.hi[2] = 0.61;
+    p.material[0].k[2] = 0.43;
+    p.param[DEEP] = deep;
+    p.side[Z_LO] = p.side[Z_HI] = DIRICHLET;
+    return p;
+}
+
+/* -dx^2/kappa times the symbol on a mode, along one axis. */
+static inline double symbol(const struct method *m, double number, double dx, double extent) {
+    double phase = number * PI * dx / extent;
+    return m == &method_ftcs ? 4 * pow(sin(phase / 2), 2) : pow(sin(phase), 2);
+}
+
+/* Factor of the mode in one Euler step. */
+static inline double gain_of(const struct method *m, const struct problem *p, double dx, double dt) {
+    double gain = 1;
+    for (int a = 0; a < p->dim; a++)
+        gain -= p->material[0].k[a] / p->material[0].rho_c * dt / (dx * dx) *
+                symbol(m, number_of(p, a), dx, p->hi[a] - p->lo[a]);
+    return gain;
+}
+
 static inline struct field solved(const struct method *m, const struct problem *p, const struct options *o) {
     struct field f;
     struct failure why = {0};
@@ -62,7 +93,7 @@ static inline struct field solved(const struct method *m, const struct problem *
 static inline double mode_error(const struct problem *p, const struct field *f, double factor) {
     double worst = 0;
     for (size_t i = 0; i < f->n; i++) {
-        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
+        double x[DIM_MAX] = {f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0};
         double want = p->param[2] + factor * (mode(p, x) - p->param[2]);
         worst = fmax(worst, fabs(f->T[i] - want));
     }

@@ -18,21 +18,12 @@ extern const struct method method_ftcs, method_ftcs_flux;
 
 /* ---- symbol and steady states ---- */
 
-/* -dx^2/kappa times the symbol on a mode, along one axis. */
-static double symbol(const struct method *m, double number, double dx, double extent) {
-    double phase = number * PI * dx / extent;
-    return m == &method_ftcs ? 4 * pow(sin(phase / 2), 2) : pow(sin(phase), 2);
-}
-
 static void decays_as_its_symbol(const struct method *m, struct problem *p, enum layout_name layout) {
     const double dx = 0.046, dt = 0.00061;
     p->t_end = 217 * dt;
     struct options o = {.dx = dx, .dt = dt, .layout = layout};
     struct field f = solved(m, p, &o);
-    double gain = 1;
-    for (int a = 0; a < p->dim; a++)
-        gain -= p->material[0].k[a] / p->material[0].rho_c * dt / (dx * dx) *
-                symbol(m, p->param[a], dx, p->hi[a] - p->lo[a]);
+    double gain = gain_of(m, p, dx, dt);
     assert_int_equal(f.steps, 217);
     assert_near(f.dt, dt, 1e-17);
     assert_near(mode_error(p, &f, pow(gain, 217)), 0, 5e-13);
