@@ -446,17 +446,26 @@ double ceiling_jitter(const struct experiment *e) {
 
 /* ---- Errors in time ---- */
 
-double ceiling_time(const struct experiment *e) {
+static double step_of(const struct experiment *e) {
     const struct problem *p = &e->problem;
-    double dx2 = sq(e->options.dx), kappa = problem_diffusivity(p);
-    double dt = e->options.dt > 0 ? e->options.dt : e->options.fourier * dx2 / kappa, stages = 3;
-    dt = p->t_end / ceil(p->t_end / dt - 1e-9);
+    double dt = e->options.dt > 0 ? e->options.dt : e->options.fourier * sq(e->options.dx) / problem_diffusivity(p);
+    return p->t_end / ceil(p->t_end / dt - 1e-9);
+}
+
+double ceiling_third(const struct experiment *e) {
+    const struct problem *p = &e->problem;
     const struct stepper *stepper = stepper_of(e->options.stepper);
+    double stages = 3, bound = 2 * ceiling_symbol(e).row * p->material[0].k[0] / p->material[0].rho_c;
+    if (stepper && stepper->stages == 2) return 1.0 / 6;
+    while (stages * stages + stages - 2 < 2 * step_of(e) * bound / sq(e->options.dx)) stages += 2;
+    return (1 + 8 / (stages * stages + stages - 2)) / 18;
+}
+
+double ceiling_time(const struct experiment *e) {
+    const struct stepper *stepper = stepper_of(e->options.stepper);
+    double dt = step_of(e);
     if (stepper && stepper->order == 1) return mean_of(e, &(struct terms){.euler = dt / 2});
-    if (stepper && stepper->stages == 2) return mean_of(e, &(struct terms){.third = dt * dt / 6});
-    double bound = 2 * ceiling_symbol(e).row * p->material[0].k[0] / p->material[0].rho_c / dx2;
-    while (stages * stages + stages - 2 < 2 * dt * bound) stages += 2;
-    return mean_of(e, &(struct terms){.third = dt * dt * (1 + 8 / (stages * stages + stages - 2)) / 18});
+    return mean_of(e, &(struct terms){.third = dt * dt * ceiling_third(e)});
 }
 
 double ceiling_sixth(const struct experiment *e) {

@@ -55,6 +55,9 @@ double ceiling_manufactured(const struct experiment *e);
 /* rod-cooling, and plate-cooling with its hot side at the temperature of the air: discrete modes.  Fourth moments
  * are `more` times those of the lattice; cloud: 1 if the distances of ghosts vary. */
 double ceiling_cooled(const struct experiment *e, double more, int cloud);
+/* rod-driven and plate-driven: e_t = L e + r, with r(t) from the fourth derivatives, or from the sixth ones on a rod
+ * at order 4. */
+double ceiling_driven(const struct experiment *e);
 /* 4th moments under jitter of j dx: 1 + 4 j^2 */
 double ceiling_jitter(const struct experiment *e);
 
@@ -87,6 +90,10 @@ double ceiling_pair(const struct experiment *e, double r); /* the weight of a pa
 
 /* Euler: dt/2 t T_tt; midpoint rule: dt^2/6 t T_ttt; RKL2: (1 + 8/(s^2 + s - 2))/18 dt^2 t T_ttt. */
 double ceiling_time(const struct experiment *e);
+/* The factor of dt^2 t T_ttt of the last two. */
+double ceiling_third(const struct experiment *e);
+/* rod-driven and plate-driven: also the data of each step, linear in time. */
+double ceiling_driven_time(const struct experiment *e);
 /* dx^4/540 t T_ttt/kappa^2: Euler steps at F = 1/6 cancel the leading error of the three-point difference. */
 double ceiling_sixth(const struct experiment *e);
 
