@@ -78,6 +78,10 @@ double ceiling_five_point_on_faces(const struct experiment *e);
 double ceiling_cell_mean(const struct experiment *e);
 double ceiling_cell_away(const struct experiment *e);
 double ceiling_bend(const struct experiment *e);
+/* rect-manufactured in steps of dt: the error of a source taken one step away, and that of Euler's method in the
+ * decaying part. */
+double ceiling_source_step(const struct experiment *e, double dt);
+double ceiling_euler(const struct experiment *e, double dt);
 
 /* The resistance, divided by dx, that harmonic means add to a contact midway between particles; E1 on rod-contact
  * for a resistance R dx; E1 on a rod of pairs in series whose distances are jittered. */

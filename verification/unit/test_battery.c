@@ -7,6 +7,7 @@
 #include "verification/foreign/program.h"
 #include "verification/run/run.h"
 
+#include "verification/gates/ceiling.h"
 #include "verification/unit/battery_row.h"
 #include "verification/unit/scratch_path.h"
 
@@ -95,8 +96,8 @@ static void planted_faults_fail_a_row(void **state) {
                  {"cell mean 0.25 swap-k", "plane/s*", 2},
                  {"cell mean 0.25 axes", "plane/s*", 2},
                  {"cell mean 0.25 source", "plane/source", 1},
-                 {"cell mean 0.25 source-time", "plane/changing", 1},
-                 {"node mean 0.25 source-time", "plane/changing", 1},
+                 {"cell mean 0.25 frozen", "plane/changing", 1},
+                 {"node mean 0.25 frozen", "plane/changing", 1},
                  {"cell mean 0.25 interface", "contact/[rws]*", 3},
                  {"node mean 0.25 interface", "contact/[rws]*", 3},
                  {"cell mean 0.25 jump", "jump/*", 2},
@@ -214,6 +215,49 @@ static void own_time_steps_are_skipped(void **state) {
     gates_judge(&g.result[0].gate, &program, &m);
     assert_int_equal(m.verdict, VERDICT_SKIPPED);
     gates_free(&g);
+}
+
+/* Midpoint steps are of second order with the source of the middle, of first order with the source of the start. */
+static void a_source_of_the_start_loses_an_order_in_time(void **state) {
+    (void)state;
+    static const char *const code[] = {"midpoint", "stale"};
+    for (int k = 0; k < 2; k++)
+        for (unsigned long seed = 1; seed <= 3; seed++) {
+            char command[300];
+            snprintf(command, sizeof command, "%s --solve cell mean 0.25 %s {case} {out}", self, code[k]);
+            struct program program = {.label = "mine", .solver = command};
+            struct gates g = {.program = &program};
+            struct failure why;
+            if (battery_add(2, PROFILE_ALL, seed, &g, &why) || gates_choose(&g, "whole/source", NULL, 0, &why) ||
+                battery_bounds(&g, &why))
+                fail_msg("%s", why.text);
+            refine_gates(&g, 0, 2);
+            gates_run(&g);
+            assert_int_equal(g.result[0].measured.verdict, k ? VERDICT_FAIL : VERDICT_PASS);
+            assert_near(g.result[0].measured.value, k ? 1 : 2, 0.1);
+            gates_free(&g);
+        }
+}
+
+/* Ceilings are 4 times the error of the five-point difference on the same draw, 5 to 6 times with the Euler steps of
+ * a source that depends on time. */
+static void ceilings_follow_the_five_point_difference(void **state) {
+    (void)state;
+    for (unsigned long seed = 1; seed <= 3; seed++) {
+        struct gates g = {0};
+        struct failure why;
+        if (battery_add(2, PROFILE_ALL, seed, &g, &why) || battery_bounds(&g, &why)) fail_msg("%s", why.text);
+        for (int i = 0; i < g.declared; i++) {
+            const struct gate *gate = &g.result[i].gate;
+            int linf = strcmp(gate->measure, "order_linf") == 0, faces = strcmp(gate->id, "jump/between") == 0;
+            if (strncmp(gate->measure, "order", 5) != 0 || strcmp(gate->id, "whole/flux") == 0) continue;
+            struct experiment e = gates_finest(g.result[i].read);
+            double five = faces ? ceiling_five_point_on_faces(&e) : ceiling_five_point(&e, linf);
+            double most = strcmp(gate->id, "plane/changing") == 0 ? 6 : 4 * (1 + 1e-9), ratio = gate->ceiling / five;
+            if (!(ratio >= 1 && ratio <= most)) fail_msg("%s, seed %lu: %g times", gate->id, seed, ratio);
+        }
+        gates_free(&g);
+    }
 }
 
 /* The command beside a failure shows it. */
@@ -337,6 +381,8 @@ int main(int argc, char **argv) {
         cmocka_unit_test(correct_codes_pass),
         cmocka_unit_test(correct_codes_pass_under_any_seed),
         cmocka_unit_test(planted_faults_fail_a_row),
+        cmocka_unit_test(a_source_of_the_start_loses_an_order_in_time),
+        cmocka_unit_test(ceilings_follow_the_five_point_difference),
         cmocka_unit_test(bounds_follow_the_draw),
         cmocka_unit_test(faults_hidden_in_one_field_are_diagnosed),
         cmocka_unit_test(written_cases_and_live_runs_agree),

@@ -110,6 +110,37 @@ static void drawn_value_replaces_the_default(void **state) {
     assert_has(command, " --aspect 2 --dx 0.1");
 }
 
+/* Adds the axes across whose sides the row gives a flux that is not 0. */
+static void mark_fluxes(const struct battery_row *row, unsigned long seed, int given[2]) {
+    struct command r;
+    struct image image;
+    parse(row, seed, &r);
+    mapping_image(&r.experiment.program.map, &r.experiment.problem, &image);
+    const struct problem *p = &image.problem;
+    for (int s = 0; s < 2 * p->dim; s++) {
+        double x[DIM_MAX];
+        for (int a = 0; a < p->dim; a++) x[a] = (p->lo[a] + p->hi[a]) / 2;
+        x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+        given[s / 2] |=
+            p->side[s] == NEUMANN && fabs(p->wall(p, (enum side)s, x, 0)) > 1e-3 * fabs(p->material[0].k[0]);
+    }
+    command_free(&r);
+}
+
+/* A code that skips sources that depend on time, and one spacing along each axis, has fluxes across both axes. */
+static void every_draw_gives_fluxes_across_both_axes(void **state) {
+    (void)state;
+    for (int order = 1; order <= 4; order *= 2)
+        for (unsigned long seed = 1; seed <= 50; seed++) {
+            int given[2] = {0, 0};
+            for (const struct battery_row *row = battery_table; row->orders; row++)
+                if (row->orders & order && strncmp(row->id, "plane/", 6) == 0 && !strstr(row->sets, "rise") &&
+                    !strstr(row->rungs, "--aspect"))
+                    mark_fluxes(row, seed, given);
+            if (!given[0] || !given[1]) fail_msg("order %d, seed %lu: x %d, y %d", order, seed, given[0], given[1]);
+        }
+}
+
 /* A contact in the plane is across x in one of two rows and across y in the other. */
 static void both_axes_have_a_contact(void **state) {
     (void)state;
@@ -161,9 +192,13 @@ static void invalid_ranges_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(draws_lie_within_their_ranges),    cmocka_unit_test(all_symmetries_are_drawn),
-        cmocka_unit_test(drawn_value_replaces_the_default), cmocka_unit_test(invalid_ranges_are_refused),
-        cmocka_unit_test(both_axes_have_a_contact),         cmocka_unit_test(slabs_turn_each_axis_to_both_walls),
+        cmocka_unit_test(draws_lie_within_their_ranges),
+        cmocka_unit_test(all_symmetries_are_drawn),
+        cmocka_unit_test(drawn_value_replaces_the_default),
+        cmocka_unit_test(invalid_ranges_are_refused),
+        cmocka_unit_test(every_draw_gives_fluxes_across_both_axes),
+        cmocka_unit_test(both_axes_have_a_contact),
+        cmocka_unit_test(slabs_turn_each_axis_to_both_walls),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
