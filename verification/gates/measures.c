@@ -97,7 +97,7 @@ void measures_slope_offsets(const struct command *r, double lo, double hi, struc
 }
 
 /* 1 if each error is below half of the ceiling, raised to coarser rungs by the order of the row.  On a graded grid a
- * jump lies at another fraction of a cell on each rung.  Cell means then have a start of -1 to 2 units of dx^2/24
+ * jump is at another fraction of a cell on each rung.  Cell means then have a start of -1 to 2 units of dx^2/24
  * T_xx: of second order, but by a factor that scatters, and more rungs do not give a slope.  Half of the ceiling is
  * twice the error of the five-point difference, the error of cells 1.4 times as wide. */
 static int is_below_all(const struct rungs *l, double ceiling, int order) {
