@@ -4,7 +4,12 @@
  *
  * The area of a disc inside a box is the integral over x of the length of the line at x inside both, clamp(s, c, d)
  * - clamp(-s, c, d), s = sqrt(R^2 - x^2).  Between the positions at which s crosses |c| or |d| each term is either
- * constant or an arc with the integral (x s + R^2 asin(x/R))/2. */
+ * constant or an arc with the integral (x s + R^2 asin(x/R))/2.
+ *
+ * The volume of a ball in a box is an alternating sum over its corners c of the volume between 0 and c.  If c is
+ * outside the ball, the divergence of x/3 gives it as (sum_k c_k A_k + R S)/3, with the area A_k of a disc on the
+ * face through c across axis k and the area S of the sphere inside: that of the octant less the caps beyond the
+ * faces, plus twice counted parts of two caps.  Rounding is some eps R^3. */
 #include "solver/shape.h"
 
 #include <math.h>
@@ -66,9 +71,35 @@ static struct foot ball_foot(const struct problem *p, enum side s, const double 
     return f;
 }
 
+/* Area on the unit sphere with x > a, y > b and z > 0, 0 <= a, b <= 1: the integral of acos(b/sqrt(1 - x^2)) over
+ * x > a, by Archimedes' theorem. */
+static double two_caps(double a, double b) {
+    double rest = 1 - a * a - b * b;
+    if (rest <= 0) return 0;
+    return M_PI / 2 - atan2(a * b, sqrt(rest)) - a * acos(b / sqrt(1 - a * a)) - b * acos(a / sqrt(1 - b * b));
+}
+
+/* Volume of the unit ball in the box from 0 to c, of the sign of the product of c. */
+static double ball_corner(const double c[3]) {
+    double a[3], zero[2] = {0, 0}, sum = M_PI / 2, sign = 1; /* sum: area on the octant of the sphere */
+    for (int k = 0; k < 3; k++) a[k] = fmin(fabs(c[k]), 1), sign *= c[k] < 0 ? -1 : 1;
+    if (a[0] * a[0] + a[1] * a[1] + a[2] * a[2] <= 1) return sign * a[0] * a[1] * a[2];
+    for (int k = 0; k < 3; k++) sum += two_caps(a[k], a[(k + 1) % 3]) - M_PI / 2 * (1 - a[k]);
+    for (int k = 0; k < 3; k++) {
+        double face[2] = {a[(k + 1) % 3], a[(k + 2) % 3]}, R = half_chord(1, a[k]);
+        if (R > 0) sum += a[k] * disc_area(R, zero, face);
+    }
+    return sign * sum / 3;
+}
+
 static double ball_volume(const struct problem *p, const double *lo, const double *hi) {
-    (void)lo, (void)hi; /* the whole ball */
-    return 4 * M_PI / 3 * pow(p->radius[1], 3);
+    double sum = 0, R = p->radius[1];
+    for (int corner = 0; corner < 8; corner++) {
+        double c[3], sign = 1;
+        for (int a = 0; a < 3; a++) c[a] = (corner >> a & 1 ? hi[a] : lo[a]) / R, sign *= corner >> a & 1 ? 1 : -1;
+        sum += sign * ball_corner(c);
+    }
+    return fmax(0, sum) * R * R * R;
 }
 
 const struct shape shape_ball = {"ball", ball_foot, ball_volume};
