@@ -50,7 +50,7 @@ struct options {
     unsigned long seed;
     double shift;              /* shift of the lattice of a rod or rectangle along each axis, in dx, 0 to 1 */
     int has_origin, has_angle; /* 0: drawn from the seed */
-    double origin[2], angle;   /* lattice of a round body: origin in dx, angle in degrees */
+    double origin[3], angle;   /* lattice of a round body: origin in dx, angle about z in degrees */
     enum sampling sampling;
     enum walls walls;
     enum mean mean;

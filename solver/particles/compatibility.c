@@ -46,22 +46,23 @@ static void name_subject(enum subject subject, const struct options *o, const st
 }
 
 static int has_wall(const struct problem *p, enum side_kind kind) {
-    for (int side = 0; side < 4; side++)
+    for (int side = 0; side < SIDES; side++)
         if (shape_has_wall(p, side) && p->side[side] == kind) return 1;
     return 0;
 }
 
 /* A boundary condition of the problem that the dummies of the options do not support; PERIODIC if there is none. */
 static enum side_kind kind_without_dummies(const struct problem *p, enum walls walls) {
-    for (int side = 0; side < 4; side++)
+    for (int side = 0; side < SIDES; side++)
         if (shape_has_wall(p, side) && !(walls_kinds(walls) & 1u << p->side[side])) return p->side[side];
     return PERIODIC;
 }
 
-/* The first material with k_x != k_y; NULL if there is none. */
+/* The first material with unequal conductivities; NULL if there is none. */
 static const struct material *anisotropic(const struct problem *p) {
-    for (int m = 0; m < p->materials && p->dim == 2; m++)
-        if (p->material[m].k[0] != p->material[m].k[1]) return &p->material[m];
+    for (int m = 0; m < p->materials; m++)
+        for (int a = 1; a < p->dim; a++)
+            if (p->material[m].k[0] != p->material[m].k[a]) return &p->material[m];
     return NULL;
 }
 
@@ -78,11 +79,15 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
     /* every row is the stencil of a square lattice */
     const int uniform = periodic && o->layout == LAYOUT_LATTICE && !two && !unequal && !p->source;
     const struct material *m = unequal ? unequal : &p->material[0];
-    char axes[100], wall[60];
-    snprintf(axes, sizeof axes, "isotropic conductivity only, the scene has k_x = %g and k_y = %g", m->k[0], m->k[1]);
+    const int space = p->dim == 3;
+    char axes[120], wall[60];
+    int used = snprintf(axes, sizeof axes, "isotropic conductivity only, the scene has k_x = %g and k_y = %g",
+                        m->k[0], m->k[1]);
+    if (space) snprintf(axes + used, sizeof axes - (size_t)used, ", k_z = %g", m->k[2]);
     snprintf(wall, sizeof wall, "does not support a %s wall", kind_words[kind]);
 
     const struct rule rules[] = {
+        {space && s->cells, METHOD, "its cells are polygons, on a rod and in the plane only", "so_ssph"},
         /* materials and data */
         {o->volume == VOLUME_TUNED && s->volume && !s->tuned, VOLUME, "supported by brookshaw only", "moment or raw"},
         {two && !s->two_materials, METHOD, "one material only, the scene has two", "brookshaw or contact_ssph"},
@@ -93,6 +98,8 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
          "walls or a source that change in time need one stencil for all particles",
          "--layout lattice or node, one material and plane walls between particles or on them"},
         /* layouts */
+        {space && (settled || o->layout == LAYOUT_HEXAGONAL), LAYOUT, "on a rod and in the plane only",
+         "lattice or jitter"},
         {node && periodic, LAYOUT, "the scene has no walls", "lattice"},
         {node && robin, LAYOUT, "a Robin wall is midway between a particle and its ghost", "lattice"},
         {node && two, LAYOUT, "two materials give each particle a row of its own", "lattice"},
@@ -115,7 +122,7 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
         {twice && o->walls == WALLS_DISTANCE, WALLS, "a dummy that differs from pair to pair has no derivative",
          "fit"},
         /* mirror images are off the lattice; with image 8 of 12 lattices in a disc had growing modes */
-        {twice && p->dim == 2 && (mirror || o->walls == WALLS_IMAGE), WALLS,
+        {twice && p->dim > 1 && (mirror || o->walls == WALLS_IMAGE), WALLS,
          "modes grow where a derivative is applied twice", "fit"},
         {o->walls == WALLS_ONE_SIDED && !s->at_wall, WALLS, "needs the least squares of so_ssph", "fit"},
         {round && o->sampling != SAMPLING_POINT, SAMPLING, "a round wall cuts cells", "point"},

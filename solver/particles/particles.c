@@ -138,6 +138,7 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
     for (size_t i = 0; i < c.n; i++) {
         f->x[i] = c.x[i];
         if (f->y) f->y[i] = c.y[i];
+        if (f->z) f->z[i] = c.z[i];
     }
     f->weight = a->volume, a->volume = NULL;
     if (!f->weight) f->weight = c.cell, c.cell = NULL;

@@ -23,18 +23,20 @@ unsigned walls_kinds(enum walls walls) {
 
 /* ---- The wall at a dummy ---- */
 
-static void site_add(const struct problem *p, int s, const double x[2], struct wall_site *site) {
+static void site_add(const struct problem *p, int s, const double *x, struct wall_site *site) {
     int n = site->walls++;
     struct foot f = shape_foot(p, s, x);
     site->side[n] = (enum side)s;
     memcpy(site->normal[n], f.normal, sizeof f.normal);
     site->away[n] = -f.depth;
     site->value[n] = p->wall(p, (enum side)s, site->foot, 0);
-    site->k[n] = p->material[0].k[f.normal[1] * f.normal[1] > 0.5];
+    site->k[n] = p->material[0].k[walls_axis(f.normal)];
 }
 
-static struct wall_site site_of(const struct problem *p, const double x[2]) {
-    struct wall_site site = {.x = {x[0], x[1]}, .foot = {x[0], x[1]}};
+static struct wall_site site_of(const struct problem *p, const struct cloud *c, size_t j) {
+    struct wall_site site = {0};
+    const double *x = site.x;
+    layout_cloud_place(c, j, site.x);
     if (p->shape) {
         int s;
         struct foot f = shape_nearest(p, x, &s);
@@ -44,27 +46,33 @@ static struct wall_site site_of(const struct problem *p, const double x[2]) {
     }
     for (int a = 0; a < p->dim; a++) site.foot[a] = fmin(fmax(x[a], p->lo[a]), p->hi[a]);
     for (int s = 0; s < 2 * p->dim; s++)
-        if (site.walls < 2 && shape_has_wall(p, s) && shape_foot(p, s, x).depth < 0) site_add(p, s, x, &site);
+        if (shape_has_wall(p, s) && shape_foot(p, s, x).depth < 0) site_add(p, s, x, &site);
     return site;
 }
 
 /* ---- The particles near a dummy ---- */
 
+/* h: extent of a search; in space limited to NEIGHBOURS_MAX particles beside a wall. */
+static double widest(const struct walls_fill *w) {
+    const double most = 7.5; /* dx: a half ball of 880 particles */
+    return w->p->dim < 3 ? WALLS_WIDEST : fmin(WALLS_WIDEST, fmax(1, most / (KERNEL_SUPPORT * w->o->h)));
+}
+
 static void probe_create(struct walls_fill *w, const struct wall_treatment *t) {
     const struct cloud *c = w->c;
     struct cloud *q = w->probe = xcalloc(1, sizeof *q);
     *q = (struct cloud){.dim = c->dim, .n = c->n, .total = c->total};
-    q->x = xcalloc(q->total, sizeof *q->x);
-    q->y = xcalloc(q->total, sizeof *q->y);
-    memcpy(q->x, c->x, c->n * sizeof *q->x);
-    memcpy(q->y, c->y, c->n * sizeof *q->y);
-    for (size_t j = c->n; j < c->total; j++) {
-        struct wall_site site = site_of(w->p, (const double[2]){c->x[j], c->y[j]});
-        double x[2];
-        t->place(&site, x);
-        q->x[j] = x[0], q->y[j] = x[1];
+    layout_cloud_alloc(q, q->total);
+    for (size_t j = 0; j < c->total; j++) {
+        double x[DIM_MAX];
+        layout_cloud_place(c, j, x);
+        if (j >= c->n) {
+            struct wall_site site = site_of(w->p, c, j);
+            t->place(&site, x);
+        }
+        layout_cloud_put(q, j, x);
     }
-    neighbours_create(&w->cells, q, KERNEL_SUPPORT * WALLS_WIDEST * w->o->h * w->spacing);
+    neighbours_create(&w->cells, q, KERNEL_SUPPORT * widest(w) * w->o->h * w->spacing);
 }
 
 static void probe_free(struct walls_fill *w) {
@@ -82,24 +90,27 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
     size_t place = q->n + d;
     uint32_t *all = xcalloc(NEIGHBOURS_MAX, sizeof *all);
     struct wall_near *near = xcalloc(1, sizeof *near);
+    near->nb = (struct neighbourhood){.dim = q->dim, .i = place, .d = near->d};
+    layout_cloud_place(q, place, near->nb.x);
     size_t found = neighbours_find(&w->cells, place, all, NEIGHBOURS_MAX);
     if (found > NEIGHBOURS_MAX) found = NEIGHBOURS_MAX;
     struct failure last; /* failure of the attempts; a success leaves *why unchanged */
-    int status = refuse(&last, STATUS_NUMERICAL,
-                        "the wall at (%.6g, %.6g) m has fewer than %zu particles within %g h; use a smaller --dx",
-                        q->x[place], q->y[place], least, KERNEL_SUPPORT * WALLS_WIDEST);
-    for (double grown = 1; grown <= WALLS_WIDEST && status; grown *= 1.1) {
+    char text[PLACE_TEXT];
+    const double *x = near->nb.x;
+    int status =
+        refuse(&last, STATUS_NUMERICAL, "the wall at %s has fewer than %zu particles within %g h; use a smaller --dx",
+               problem_place(q->dim, x, text), least, KERNEL_SUPPORT * widest(w));
+    for (double grown = 1; grown <= widest(w) && status; grown *= 1.1) {
         double H = grown * w->o->h * w->spacing, most = KERNEL_SUPPORT * H * (1 - 1e-9);
         size_t n = 0;
         for (size_t k = 0; k < found; k++) {
-            uint32_t j = all[k];
-            double dx = q->x[j] - q->x[place], dy = q->y[j] - q->y[place];
-            if (j >= q->n || hypot(dx, dy) >= most) continue;
-            near->d[n][0] = dx, near->d[n][1] = dy, near->d[n][2] = 0;
-            near->from[n++] = j;
+            if (all[k] >= q->n) continue;
+            layout_cloud_place(q, all[k], near->d[n]);
+            for (int a = 0; a < DIM_MAX; a++) near->d[n][a] -= x[a];
+            if (neighbourhood_distance(&near->nb, n) >= most) continue;
+            near->from[n++] = all[k];
         }
-        near->nb = (struct neighbourhood){
-            .dim = q->dim, .i = place, .x = {q->x[place], q->y[place]}, .n = n, .d = near->d, .h = H};
+        near->nb.n = n, near->nb.h = H;
         if (n >= least) status = attempt(w, near, with, &last);
     }
     if (status) *why = last;
@@ -135,7 +146,7 @@ int walls_fill(const struct problem *p, const struct options *o, struct cloud *c
     if (t->place) probe_create(&w, t);
     struct wall_sum *sum = xcalloc(1, sizeof *sum);
     for (size_t d = 0; d < dummies && !status; d++) {
-        struct wall_site site = site_of(p, (const double[2]){c->x[c->n + d], c->y[c->n + d]});
+        struct wall_site site = site_of(p, c, c->n + d);
         sum->n = 0;
         status = t->fill(&w, d, &site, sum, why);
         keep(c, d, sum, &room);

@@ -8,18 +8,29 @@
 #include "solver/shape.h"
 #include "solver/space/neighbours.h"
 
+/* Particles that a quadratic at a wall requires, by dim (walls_fit.c). */
+static const size_t walls_least[] = {0, 4, 15, 60};
+
 #define WALLS_WIDEST 3.0 /* h: maximum extent of a search */
 
-struct wall_site {  /* the wall at a dummy; two walls at the corner of a rectangle */
-    double x[2];    /* m, the dummy */
-    double foot[2]; /* m, nearest point of the body */
-    int walls;      /* 1 or 2 */
-    enum side side[2];
-    double normal[2][2]; /* outward, of each wall */
-    double away[2];      /* m, distance of the dummy from each wall */
-    double value[2];     /* problem.wall at the foot */
-    double k[2];         /* W m^-1 K^-1, along each normal */
+struct wall_site {        /* the wall at a dummy; several at an edge or a corner */
+    double x[DIM_MAX];    /* m, the dummy */
+    double foot[DIM_MAX]; /* m, nearest point of the body */
+    int walls;            /* 1 to dim */
+    enum side side[DIM_MAX];
+    double normal[DIM_MAX][DIM_MAX]; /* outward, of each wall */
+    double away[DIM_MAX];            /* m, distance of the dummy from each wall */
+    double value[DIM_MAX];           /* problem.wall at the foot */
+    double k[DIM_MAX];               /* W m^-1 K^-1, along each normal */
 };
+
+/* The axis along which a normal points, or nearly so. */
+static inline int walls_axis(const double normal[DIM_MAX]) {
+    int axis = 0;
+    for (int a = 1; a < DIM_MAX; a++)
+        if (normal[a] * normal[a] > 0.5) axis = a;
+    return axis;
+}
 
 struct wall_near { /* particles near a point, for a least-squares fit */
     struct neighbourhood nb;
@@ -47,7 +58,7 @@ struct wall_treatment {
     unsigned kinds; /* bits of enum side_kind: supported boundary conditions */
     int pairs;      /* 1: T differs from pair to pair (struct cloud, `away`) */
     /* The point near which particles are required for dummy d, m; NULL if none are required. */
-    void (*place)(const struct wall_site *site, double x[2]);
+    void (*place)(const struct wall_site *site, double x[DIM_MAX]);
     /* STATUS_NUMERICAL if there are too few particles nearby. */
     int (*fill)(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,
                 struct failure *why);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dummies by a quadratic that satisfies the boundary condition.  About the nearest point of the body, with xi
- * outward and eta along the wall,
+ * outward and eta (in space also zeta) along the wall,
  *   T(xi, eta) = c + c_xi xi + c_eta eta + quadratic terms
  * is fitted to nearby particles by least squares with the kernel as weight, under the exact condition at that point:
  *   Dirichlet  c = T_w,   Neumann  c_xi = q/k,   Robin  c_xi = (b/k) (T_a - c).
@@ -20,25 +20,41 @@
 #include <math.h>
 #include <string.h>
 
-struct bound { /* the quadratic at one wall or corner, lengths in units of h */
-    int dim, held;
-    double axis[2][2]; /* directions of xi and eta */
-    double c;          /* K, if fixed */
-    int bound[2];      /* 1 if the slope along the axis is s + r c */
-    double s[2], r[2];
+struct bound {                     /* the quadratic at one wall, edge or corner, lengths in units of h */
+    int dim, held;                 /* held: number of Dirichlet walls */
+    double axis[DIM_MAX][DIM_MAX]; /* directions of xi, eta, ...; first the normals */
+    double c;                      /* K, if fixed */
+    int bound[DIM_MAX];            /* 1 if the slope along the axis is s + r c */
+    double s[DIM_MAX], r[DIM_MAX];
 };
+
+/* Completes `given` unit vectors of axis by vectors at right angles to them. */
+static void complete_axes(int dim, int given, double axis[DIM_MAX][DIM_MAX]) {
+    if (dim == 2 && given == 1) axis[1][0] = -axis[0][1], axis[1][1] = axis[0][0];
+    for (int n = given; dim == 3 && n < dim; n++) {
+        double *t = axis[n], length = 0;
+        for (int k = 0; k < dim && !(length > 0.5); k++) { /* one of the axes is far from all given ones */
+            for (int a = 0; a < dim; a++) t[a] = a == k;
+            for (int m = 0; m < n; m++) {
+                double along = axis[m][k];
+                for (int a = 0; a < dim; a++) t[a] -= along * axis[m][a];
+            }
+            length = sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
+        }
+        for (int a = 0; a < dim; a++) t[a] /= length;
+    }
+}
 
 static struct bound bind(const struct problem *p, const struct wall_site *site, double h) {
     struct bound b = {.dim = p->dim};
-    memcpy(b.axis[0], site->normal[0], sizeof b.axis[0]);
-    b.axis[1][0] = -b.axis[0][1], b.axis[1][1] = b.axis[0][0];
-    if (site->walls == 2) memcpy(b.axis[1], site->normal[1], sizeof b.axis[1]);
+    memcpy(b.axis, site->normal, sizeof b.axis);
+    complete_axes(p->dim, site->walls, b.axis);
     for (int n = 0; n < site->walls; n++) {
         enum side side = site->side[n];
         double ratio = p->robin[side] * h / site->k[n];
         if (p->side[side] == DIRICHLET) {
-            b.c = b.held ? (b.c + site->value[n]) / 2 : site->value[n];
-            b.held = 1;
+            b.c = (b.held * b.c + site->value[n]) / (b.held + 1);
+            b.held++;
             continue;
         }
         b.bound[n] = 1;
@@ -49,10 +65,10 @@ static struct bound bind(const struct problem *p, const struct wall_site *site, 
 }
 
 /* The known part at d (m from the foot), K, and the free functions there; returns their number. */
-static int functions(const struct bound *b, const double d[2], double h, double *known, double *P) {
-    double x[2] = {0, 0}, with_c = 1;
+static int functions(const struct bound *b, const double *d, double h, double *known, double *P) {
+    double x[DIM_MAX] = {0}, with_c = 1;
     int n = 0;
-    for (int a = 0; a < b->dim; a++) x[a] = (d[0] * b->axis[a][0] + d[1] * b->axis[a][1]) / h;
+    for (int a = 0; a < b->dim; a++) x[a] = (d[0] * b->axis[a][0] + d[1] * b->axis[a][1] + d[2] * b->axis[a][2]) / h;
     *known = b->held ? b->c : 0;
     for (int a = 0; a < b->dim; a++) {
         if (b->bound[a])
@@ -60,15 +76,13 @@ static int functions(const struct bound *b, const double d[2], double h, double 
         else
             P[n++] = x[a];
     }
-    if (!b->held) P[n++] = with_c / (1 + fabs(b->r[0]) + fabs(b->r[1]));
-    P[n++] = x[0] * x[0] / 2;
-    if (b->dim == 1) return n;
-    P[n++] = x[0] * x[1];
-    P[n++] = x[1] * x[1] / 2;
+    if (!b->held) P[n++] = with_c / (1 + fabs(b->r[0]) + fabs(b->r[1]) + fabs(b->r[2]));
+    for (int e = 0; e < b->dim; e++)
+        for (int a = 0; a <= e; a++) P[n++] = x[a] * x[e] * (a == e ? 0.5 : 1);
     return n;
 }
 
-enum { WALL_DATA = 8 };
+enum { WALL_DATA = 24 };
 
 struct fit {
     const struct wall_site *site;
@@ -79,15 +93,20 @@ struct fit {
  * Returns their number. */
 static size_t wall_data(const struct problem *p, const struct wall_site *site, double h, double d[WALL_DATA][DIM_MAX],
                         double T[WALL_DATA]) {
-    static const double at[] = {-1, -0.5, 0.5, 1}; /* h along the wall */
+    static const double plane[][2] = {{-1, 0}, {-0.5, 0}, {0.5, 0}, {1, 0}}; /* h along the wall */
+    static const double space[][2] = {{-1, 0},      {1, 0},      {0, -1},     {0, 1},
+                                      {-0.5, -0.5}, {-0.5, 0.5}, {0.5, -0.5}, {0.5, 0.5}};
+    const double(*at)[2] = p->dim == 3 ? space : plane;
     size_t n = 0;
-    for (int k = 0; k < site->walls && p->dim == 2; k++)
-        for (int i = 0; i < 4 && p->side[site->side[k]] == DIRICHLET; i++) {
-            const double *normal = site->normal[k];
-            double x[2] = {site->foot[0] - at[i] * h * normal[1], site->foot[1] + at[i] * h * normal[0]};
+    for (int k = 0; k < site->walls && p->dim > 1; k++)
+        for (int i = 0; i < (p->dim == 3 ? 8 : 4) && p->side[site->side[k]] == DIRICHLET; i++) {
+            double axis[DIM_MAX][DIM_MAX] = {{0}}, x[DIM_MAX];
+            memcpy(axis[0], site->normal[k], sizeof axis[0]);
+            complete_axes(p->dim, 1, axis);
+            for (int a = 0; a < DIM_MAX; a++)
+                x[a] = site->foot[a] + at[i][0] * h * axis[1][a] + at[i][1] * h * axis[2][a];
             struct foot f = shape_foot(p, (int)site->side[k], x);
-            for (int a = 0; a < 2; a++) d[n][a] = f.x[a] - site->foot[a];
-            d[n][2] = 0;
+            for (int a = 0; a < DIM_MAX; a++) d[n][a] = f.x[a] - site->foot[a];
             T[n++] = p->wall(p, site->side[k], f.x, 0);
         }
     return n;
@@ -95,7 +114,7 @@ static size_t wall_data(const struct problem *p, const struct wall_site *site, d
 
 static int attempt(const struct walls_fill *w, const struct wall_near *near, void *with, struct failure *why) {
     const struct fit *f = with;
-    double P[NEIGHBOURS_MAX][FIT_TERMS_MAX], known[NEIGHBOURS_MAX], target[FIT_TERMS_MAX], away[2];
+    double P[NEIGHBOURS_MAX][FIT_TERMS_MAX], known[NEIGHBOURS_MAX], target[FIT_TERMS_MAX], away[DIM_MAX];
     double d[NEIGHBOURS_MAX][DIM_MAX], given[WALL_DATA], share[NEIGHBOURS_MAX], h = near->nb.h;
     struct neighbourhood nb = near->nb;
     struct bound b = bind(w->p, f->site, h);
@@ -103,7 +122,7 @@ static int attempt(const struct walls_fill *w, const struct wall_near *near, voi
     memcpy(d, near->d, nb.n * sizeof *d);
     nb.n += wall_data(w->p, f->site, h, d + nb.n, given);
     nb.d = d;
-    for (int a = 0; a < 2; a++) away[a] = f->site->x[a] - f->site->foot[a];
+    for (int a = 0; a < DIM_MAX; a++) away[a] = f->site->x[a] - f->site->foot[a];
     int terms = functions(&b, away, h, &f->out->offset, target);
     for (size_t j = 0; j < nb.n; j++) functions(&b, d[j], h, &known[j], P[j]);
     if (ssph_fit(&nb, w->o->kernel, terms, P, NULL, target, share, why)) return why->status;
@@ -118,14 +137,14 @@ static int attempt(const struct walls_fill *w, const struct wall_near *near, voi
     return STATUS_OK;
 }
 
-static void place(const struct wall_site *site, double x[2]) {
-    x[0] = site->foot[0], x[1] = site->foot[1];
+static void place(const struct wall_site *site, double x[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) x[a] = site->foot[a];
 }
 
 static int fill(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,
                 struct failure *why) {
     struct fit f = {site, out};
-    return walls_near(w, d, w->p->dim == 2 ? 15 : 4, attempt, &f, why);
+    return walls_near(w, d, walls_least[w->p->dim], attempt, &f, why);
 }
 
 const struct wall_treatment walls_fit = {

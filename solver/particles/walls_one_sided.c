@@ -7,7 +7,7 @@
  * weight, and at the nearest point of each wall within the support, with ten times the weight at distance 0, to
  *   Dirichlet  q = T_w,   Neumann  q_n = g/k,   Robin  (q_n + (b/k) q) = (b/k) T_a,
  * with slopes in units of h.  Then
- *   dT_i/dt = kappa_x q_xx + kappa_y q_yy + sigma (q(x_i) - T_i),   sigma = 2 (kappa_x + kappa_y)/h^2,
+ *   dT_i/dt = sum_a kappa_a q_aa + sigma (q(x_i) - T_i),   sigma = 2 sum_a kappa_a/h^2,
  * where sigma is close to the rate of an inner particle's own weight (3.5 kappa/h^2 on a square lattice, 2.3 on a
  * rod).
  *
@@ -34,29 +34,30 @@
 
 static const double WALL_WEIGHT = 10;
 
-/* 1, x, y, x^2/2, x y, y^2/2 at d in units of h (1, x, x^2/2 on a rod); returns their number. */
-static int monomials(int dim, const double d[2], double *P) {
-    P[0] = 1, P[1] = d[0];
-    if (dim == 1) {
-        P[2] = d[0] * d[0] / 2;
-        return 3;
-    }
-    P[2] = d[1], P[3] = d[0] * d[0] / 2, P[4] = d[0] * d[1], P[5] = d[1] * d[1] / 2;
-    return 6;
+/* 1, x, y, x^2/2, x y, y^2/2 at d in units of h (1, x, x^2/2 on a rod; in space with z, x z, y z, z^2/2); returns
+ * their number. */
+static int monomials(int dim, const double *d, double *P) {
+    int n = 0;
+    P[n++] = 1;
+    for (int a = 0; a < dim; a++) P[n++] = d[a];
+    for (int b = 0; b < dim; b++)
+        for (int a = 0; a <= b; a++) P[n++] = d[a] * d[b] * (a == b ? 0.5 : 1);
+    return n;
 }
 
-static void add_slopes(int dim, const double d[2], const double n[2], double *P) {
-    P[1] += n[0];
-    if (dim == 1)
-        P[2] += d[0] * n[0];
-    else
-        P[2] += n[1], P[3] += d[0] * n[0], P[4] += d[0] * n[1] + d[1] * n[0], P[5] += d[1] * n[1];
+/* Adds their slopes along the normal. */
+static void add_slopes(int dim, const double *d, const double *normal, double *P) {
+    int n = 1;
+    for (int a = 0; a < dim; a++) P[n++] += normal[a];
+    for (int b = 0; b < dim; b++)
+        for (int a = 0; a <= b; a++) P[n++] += a == b ? d[a] * normal[a] : d[a] * normal[b] + d[b] * normal[a];
 }
 
 /* The equation of wall s at its foot: the row P and the returned right-hand side. */
-static double equation(const struct problem *p, int s, const struct foot *f, const double x[2], double h, double *P) {
-    double d[2] = {(f->x[0] - x[0]) / h, (f->x[1] - x[1]) / h};
-    double value = p->wall(p, (enum side)s, f->x, 0), k = p->material[0].k[f->normal[1] * f->normal[1] > 0.5];
+static double equation(const struct problem *p, int s, const struct foot *f, const double *x, double h, double *P) {
+    double d[DIM_MAX];
+    for (int a = 0; a < DIM_MAX; a++) d[a] = (f->x[a] - x[a]) / h;
+    double value = p->wall(p, (enum side)s, f->x, 0), k = p->material[0].k[walls_axis(f->normal)];
     int terms = monomials(p->dim, d, P);
     if (p->side[s] == DIRICHLET) return value;
     double ratio = p->side[s] == ROBIN ? p->robin[s] * h / k : 0, size = 1 / (1 + ratio);
@@ -70,21 +71,23 @@ struct equations { /* equations of the neighbours, the particle itself, and the 
     struct neighbourhood nb;
     double d[NEIGHBOURS_MAX][DIM_MAX], P[NEIGHBOURS_MAX][FIT_TERMS_MAX], size[NEIGHBOURS_MAX], w[NEIGHBOURS_MAX];
     size_t from[NEIGHBOURS_MAX]; /* index of the neighbour */
-    double given[4];             /* right-hand sides of the walls */
+    double given[SIDES];         /* right-hand sides of the walls */
 };
 
 /* Collects the equations within 2 h of the particle; returns the number for particles. */
 static size_t take_equations(const struct problem *p, const struct neighbourhood *nb, double h, struct equations *e) {
     size_t n = 0, particles;
-    e->nb = (struct neighbourhood){.dim = nb->dim, .i = nb->i, .x = {nb->x[0], nb->x[1]}, .d = e->d, .h = h};
-    for (size_t j = 0; j <= nb->n && n + 4 < NEIGHBOURS_MAX; j++) {
-        double d[2] = {j < nb->n ? nb->d[j][0] : 0, j < nb->n ? nb->d[j][1] : 0};
-        if (hypot(d[0], d[1]) >= KERNEL_SUPPORT * h * (1 - 1e-9)) continue;
-        e->d[n][0] = d[0], e->d[n][1] = d[1], e->d[n][2] = 0, e->from[n] = j, e->size[n] = 1;
-        monomials(nb->dim, (const double[2]){d[0] / h, d[1] / h}, e->P[n++]);
+    e->nb =
+        (struct neighbourhood){.dim = nb->dim, .i = nb->i, .x = {nb->x[0], nb->x[1], nb->x[2]}, .d = e->d, .h = h};
+    for (size_t j = 0; j <= nb->n && n + SIDES < NEIGHBOURS_MAX; j++) {
+        double s[DIM_MAX];
+        if (j < nb->n && neighbourhood_distance(nb, j) >= KERNEL_SUPPORT * h * (1 - 1e-9)) continue;
+        for (int a = 0; a < DIM_MAX; a++) e->d[n][a] = j < nb->n ? nb->d[j][a] : 0, s[a] = e->d[n][a] / h;
+        e->from[n] = j, e->size[n] = 1;
+        monomials(nb->dim, s, e->P[n++]);
     }
     particles = n;
-    for (int s = 0; s < 4; s++) {
+    for (int s = 0; s < SIDES; s++) {
         if (!shape_has_wall(p, s)) continue;
         struct foot f = shape_foot(p, s, nb->x);
         if (!(f.depth < KERNEL_SUPPORT * h)) continue;
@@ -97,23 +100,26 @@ static size_t take_equations(const struct problem *p, const struct neighbourhood
 
 int walls_one_sided(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
                     struct wall_row *out, struct failure *why) {
-    size_t least = nb->dim == 2 ? 15 : 4, particles = 0;
-    double sigma = 2 * (nb->kappa[0] + (nb->dim == 2 ? nb->kappa[1] : 0)) / (nb->h * nb->h);
+    size_t least = walls_least[nb->dim], particles = 0;
+    double sigma = 0;
+    char place[PLACE_TEXT];
+    for (int a = 0; a < nb->dim; a++) sigma += nb->kappa[a];
+    sigma = 2 * sigma / (nb->h * nb->h);
     struct equations *e = xcalloc(1, sizeof *e);
     int status = STATUS_NUMERICAL;
     *out = (struct wall_row){.own = -sigma};
     for (double grown = 1; grown <= WALLS_WIDEST && status; grown *= 1.1) {
-        double h = grown * nb->h, target[6] = {sigma}, second = 1 / (h * h);
-        target[nb->dim == 2 ? 3 : 2] = nb->kappa[0] * second;
-        if (nb->dim == 2) target[5] = nb->kappa[1] * second;
+        double h = grown * nb->h, target[FIT_TERMS_MAX] = {sigma}, second = 1 / (h * h);
+        int terms = (nb->dim + 1) * (nb->dim + 2) / 2;
+        for (int a = 0; a < nb->dim; a++) target[1 + ssph_second(nb->dim, a)] = nb->kappa[a] * second;
         particles = take_equations(p, nb, h, e);
         if (particles < least)
             refuse(why, STATUS_NUMERICAL,
-                   "particle %zu at (%.6g, %.6g) m, beside a wall, has %zu particles within %.3g m, at least %zu are "
+                   "particle %zu at %s, beside a wall, has %zu particles within %.3g m, at least %zu are "
                    "needed; use a smaller --dx",
-                   nb->i, nb->x[0], nb->x[1], particles, KERNEL_SUPPORT * h, least);
+                   nb->i, problem_place(nb->dim, nb->x, place), particles, KERNEL_SUPPORT * h, least);
         else
-            status = ssph_fit(&e->nb, o->kernel, nb->dim == 2 ? 6 : 3, e->P, e->size, target, e->w, why);
+            status = ssph_fit(&e->nb, o->kernel, terms, e->P, e->size, target, e->w, why);
     }
     for (size_t k = 0; k < e->nb.n && !status; k++) {
         if (k >= particles)

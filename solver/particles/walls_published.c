@@ -29,7 +29,8 @@
 static int hold(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,
                 struct failure *why) {
     (void)w, (void)d, (void)why;
-    out->offset = site->walls == 2 ? (site->value[0] + site->value[1]) / 2 : site->value[0];
+    out->offset = 0;
+    for (int n = 0; n < site->walls; n++) out->offset += site->value[n] / site->walls;
     return STATUS_OK;
 }
 
@@ -39,8 +40,8 @@ const struct wall_treatment walls_distance = {.kinds = 1u << DIRICHLET, .pairs =
 
 /* ---- average ---- */
 
-static void at_dummy(const struct wall_site *site, double x[2]) {
-    x[0] = site->x[0], x[1] = site->x[1];
+static void at_dummy(const struct wall_site *site, double x[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) x[a] = site->x[a];
 }
 
 struct shepard {
@@ -54,23 +55,26 @@ static int average(const struct walls_fill *w, const struct wall_near *near, voi
     (void)why;
     m->out->n = near->nb.n, m->depth = 0;
     for (size_t j = 0; j < near->nb.n; j++) {
-        double W = kernel_value(w->o->kernel, near->nb.dim, hypot(near->d[j][0], near->d[j][1]) / near->nb.h);
+        double W = kernel_value(w->o->kernel, near->nb.dim, neighbourhood_distance(&near->nb, j) / near->nb.h);
         m->out->from[j] = near->from[j], m->out->share[j] = W;
         sum += W;
     }
     if (!(sum > 0)) return refuse(why, STATUS_NUMERICAL, "a dummy has no neighbour with a positive weight");
     for (size_t j = 0; j < near->nb.n; j++) {
         m->out->share[j] /= sum;
-        double x[2] = {w->c->x[near->from[j]], w->c->y[near->from[j]]};
+        double x[DIM_MAX];
+        layout_cloud_place(w->c, near->from[j], x);
         m->depth += m->out->share[j] * shape_depth(w->p, x);
     }
     return STATUS_OK;
 }
 
-/* At a corner the wall at the larger distance determines the dummy. */
+/* At an edge or a corner the wall at the larger distance determines the dummy. */
 static int fill_average(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,
                         struct failure *why) {
-    int n = site->walls == 2 && site->away[1] > site->away[0];
+    int n = 0;
+    for (int k = 1; k < site->walls; k++)
+        if (site->away[k] > site->away[n]) n = k;
     struct shepard m = {out, 0};
     if (walls_near(w, d, 1, average, &m, why)) return why->status;
     if (w->p->side[site->side[n]] == NEUMANN) {
@@ -87,17 +91,18 @@ const struct wall_treatment walls_average = {
 
 /* ---- image ---- */
 
-static void at_image(const struct wall_site *site, double x[2]) {
-    x[0] = site->x[0], x[1] = site->x[1];
+static void at_image(const struct wall_site *site, double x[DIM_MAX]) {
+    at_dummy(site, x);
     for (int n = 0; n < site->walls; n++)
-        for (int a = 0; a < 2; a++) x[a] -= 2 * site->away[n] * site->normal[n][a];
+        for (int a = 0; a < DIM_MAX; a++) x[a] -= 2 * site->away[n] * site->normal[n][a];
 }
 
 static int interpolate(const struct walls_fill *w, const struct wall_near *near, void *with, struct failure *why) {
     struct wall_sum *out = with;
-    double P[NEIGHBOURS_MAX][FIT_TERMS_MAX], target[3] = {1, 0, 0};
+    double P[NEIGHBOURS_MAX][FIT_TERMS_MAX], target[DIM_MAX + 1] = {1};
     for (size_t j = 0; j < near->nb.n; j++) {
-        P[j][0] = 1, P[j][1] = near->d[j][0] / near->nb.h, P[j][2] = near->d[j][1] / near->nb.h;
+        P[j][0] = 1;
+        for (int a = 0; a < DIM_MAX; a++) P[j][a + 1] = near->d[j][a] / near->nb.h;
         out->from[j] = near->from[j];
     }
     out->n = near->nb.n;
@@ -107,9 +112,11 @@ static int interpolate(const struct walls_fill *w, const struct wall_near *near,
 static int fill_image(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,
                       struct failure *why) {
     double factor = 1;
-    if (walls_near(w, d, w->p->dim == 2 ? 5 : 3, interpolate, out, why)) return why->status;
+    static const size_t least[] = {0, 3, 5, 9};
+    double x[DIM_MAX];
+    if (walls_near(w, d, least[w->p->dim], interpolate, out, why)) return why->status;
     out->offset = 0;
-    double x[2] = {site->x[0], site->x[1]};
+    at_dummy(site, x);
     for (int n = 0; n < site->walls; n++) {
         enum side s = site->side[n];
         double f = layout_robin_factor(w->p, (int)s, site->k[n], site->away[n]);
@@ -118,7 +125,7 @@ static int fill_image(const struct walls_fill *w, size_t d, const struct wall_si
         struct foot foot = shape_foot(w->p, (int)s, x);
         out->offset += factor * q * w->p->wall(w->p, s, foot.x, 0);
         factor *= f;
-        for (int a = 0; a < 2; a++) x[a] = 2 * foot.x[a] - x[a];
+        for (int a = 0; a < DIM_MAX; a++) x[a] = 2 * foot.x[a] - x[a];
     }
     for (size_t j = 0; j < out->n; j++) out->share[j] *= factor;
     return STATUS_OK;

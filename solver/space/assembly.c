@@ -61,7 +61,7 @@ static size_t faces_of_cell(const struct voronoi *v, size_t i, uint32_t *out) {
 
 double assembly_stretch(const struct assembly *m, size_t i, uint32_t j) {
     double x[DIM_MAX];
-    cloud_place(m->c, i, x);
+    layout_cloud_place(m->c, i, x);
     const double depth = shape_depth(m->p, x);
     const double most = 1.5; /* limit of the publication */
     return depth * (most - 1) > m->c->away[j - m->c->n] ? 1 + m->c->away[j - m->c->n] / depth : most;
@@ -70,7 +70,7 @@ double assembly_stretch(const struct assembly *m, size_t i, uint32_t j) {
 int assembly_at_wall(const struct assembly *m, size_t i) {
     double x[DIM_MAX];
     if (!m->wide.cloud) return 0;
-    cloud_place(m->c, i, x);
+    layout_cloud_place(m->c, i, x);
     return shape_depth(m->p, x) < m->support;
 }
 
@@ -79,7 +79,7 @@ int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundin
     const struct neighbours *cells = assembly_at_wall(m, i) ? &m->wide : &m->cells;
     char place[PLACE_TEXT];
     double x[DIM_MAX];
-    cloud_place(c, i, x);
+    layout_cloud_place(c, i, x);
     size_t n =
         m->s->cells ? faces_of_cell(&m->mesh, i, out->near) : neighbours_find(cells, i, out->near, NEIGHBOURS_MAX);
     if (n > NEIGHBOURS_MAX)
@@ -87,7 +87,7 @@ int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundin
                       "particle %zu at %s has %zu neighbours, at most %d are possible; use a smaller --h", i,
                       problem_place(c->dim, x, place), n, NEIGHBOURS_MAX);
     for (size_t k = 0; k < n; k++) {
-        cloud_place(c, out->near[k], out->d[k]);
+        layout_cloud_place(c, out->near[k], out->d[k]);
         for (int a = 0; a < DIM_MAX; a++) out->d[k][a] -= x[a];
     }
     const struct problem *p = m->p;
@@ -144,7 +144,7 @@ void assembly_keep_constants(const struct assembly *m, double *g, struct heat_op
     const struct cloud *c = m->c;
     for (size_t i = 0; i < a->n; i++) {
         double x[DIM_MAX];
-        cloud_place(c, i, x);
+        layout_cloud_place(c, i, x);
         if (p->source) g[i] += p->source(p, x) / (a->rho_c ? a->rho_c[i] : layout_rho_c(p, m->cell, x[0]));
         if (c->held && c->held[i]) g[i] = 0;
         a->constant |= g[i] != 0;

@@ -86,9 +86,16 @@ struct cloud {
 };
 
 /* Position of point i of a cloud, m; 0 past dim. */
-static inline void cloud_place(const struct cloud *c, size_t i, double x[DIM_MAX]) {
+static inline void layout_cloud_place(const struct cloud *c, size_t i, double x[DIM_MAX]) {
     x[0] = c->x[i], x[1] = c->y[i], x[2] = c->z ? c->z[i] : 0;
 }
+static inline void layout_cloud_put(struct cloud *c, size_t i, const double x[DIM_MAX]) {
+    c->x[i] = x[0], c->y[i] = x[1];
+    if (c->z) c->z[i] = x[2];
+}
+
+/* Allocates the first six arrays for this many points. */
+void layout_cloud_alloc(struct cloud *c, size_t points);
 
 /* The particles of a layout and every ghost within `reach` (m) of the domain.  Returns STATUS_INPUT if the domain is
  * narrower than `reach`, STATUS_NUMERICAL if a relaxation does not converge. */
@@ -96,16 +103,21 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
                  struct cloud *c, struct failure *why);
 void layout_cloud_free(struct cloud *c);
 
-/* Displacements of the points (i, j) with from <= (i, j) < to, in widths of the jitter, -1/2 to 1/2. */
+/* Calls visit for all indices from <= at < to, block by block of the given sides; x is fastest among blocks and in
+ * each. */
+void layout_in_blocks(const int from[DIM_MAX], const int to[DIM_MAX], const int side[DIM_MAX],
+                      void (*visit)(void *context, const int at[DIM_MAX]), void *context);
+
+/* Displacements of the points with from <= index < to, in widths of the jitter, -1/2 to 1/2. */
 struct layout_moves {
-    int from[2], to[2];
-    double *move;
+    int dim, from[DIM_MAX], to[DIM_MAX]; /* 0 and 1 past dim */
+    double *move;                        /* dim for each point */
 };
 /* Fills m->move for m->from and m->to.  Where a core is given, its displacements depend on nothing but the core and
  * the random numbers. */
-void layout_moves_draw(struct layout_moves *m, int dim, const int core_from[2], const int core_to[2],
+void layout_moves_draw(struct layout_moves *m, const int core_from[DIM_MAX], const int core_to[DIM_MAX],
                        gsl_rng *random);
-double layout_moves_at(const struct layout_moves *m, int i, int j, int axis);
+const double *layout_moves_at(const struct layout_moves *m, const int at[DIM_MAX]);
 void layout_moves_free(struct layout_moves *m);
 
 /* 1 if walls cut the lattice at any position: its particles are then the lattice points inside the body. */
@@ -115,8 +127,8 @@ int layout_is_cut(const struct problem *p, const struct options *o);
  * values.  Returns STATUS_INPUT if no point is inside. */
 int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                struct cloud *c, struct failure *why);
-/* Appends the images of particle i beyond plane walls, up to three, to the cloud, whose arrays have room for
- * them. */
+/* Appends the images of particle i beyond plane walls, up to three (seven in space), to the cloud, whose arrays have
+ * room for them. */
 void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
                    struct cloud *c);
 

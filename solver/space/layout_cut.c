@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A lattice cut by the walls at any position.
  *
- * On a rod or rectangle its points are lo + (i + 1/2 + shift) dx; under a round body it has any origin and angle.
+ * On a rod, rectangle or box its points are lo + (i + 1/2 + shift) dx; under a round body it has any origin and
+ * angle (about z).
  * Each point is moved by the layout (jitter: within +-A dx; hexagonal: rows sqrt(3)/2 dx apart).  Points inside the
  * body, or on its wall to 1e-6 dx, are particles, points beyond it dummies.  A round body about 0 looks the same from
  * the axes of its lattice: cells are clipped there. */
@@ -15,12 +16,14 @@
  * conducts to its wall as 1/depth, and the largest stable step falls with the depth. */
 static const double CLEAR = 0.25;
 
-struct frame {                      /* point (i, j) is at first + (i d[0], j d[1]) in its own axes */
-    double first[2], d[2], axis[2]; /* m; m; cosine and sine */
-    int blocks;                     /* side of a block */
-    struct layout_moves moves;      /* and the range of indices */
-    double moved;                   /* m, full width of the jitter */
-    double clear;                   /* m, free strip along a wall */
+struct frame { /* point (i, j, k) is at first + (i d[0], ...) in its own axes */
+    int dim;
+    double first[DIM_MAX], d[DIM_MAX]; /* m */
+    double axis[2];                    /* cosine and sine of the angle about z */
+    int blocks[DIM_MAX];               /* sides of a block */
+    struct layout_moves moves;         /* and the range of indices */
+    double moved;                      /* m, full width of the jitter */
+    double clear;                      /* m, free strip along a wall */
     int hexagonal;
 };
 
@@ -37,16 +40,19 @@ static void take_range(const struct problem *p, int a, const struct frame *f, do
 static struct frame frame_of(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                              gsl_rng *random) {
     const double CORE = 2.2; /* dx: the reach of so_ssph; displacements within are the same for all operators */
-    struct frame f = {.d = {l->dx[0], l->dx[1]}, .axis = {1, 0}, .moves = {.to = {1, 1}}};
-    int core_from[2] = {0, 0}, core_to[2] = {1, 1};
+    struct frame f = {
+        .dim = p->dim, .d = {l->dx[0], l->dx[1], l->dx[2]}, .axis = {1, 0}, .moves = {p->dim, {0}, {1, 1, 1}, NULL}};
+    int core_from[DIM_MAX] = {0}, core_to[DIM_MAX] = {1, 1, 1};
     f.moved = o->layout == LAYOUT_JITTER ? 2 * o->jitter * l->dx[0] : 0;
     f.hexagonal = o->layout == LAYOUT_HEXAGONAL && p->dim == 2;
     f.clear = p->shape && o->walls == WALLS_MIRROR ? CLEAR * l->dx[0] : 0;
     if (p->shape) {
-        double origin[2] = {gsl_rng_uniform(random), gsl_rng_uniform(random)}, angle = 90 * gsl_rng_uniform(random);
+        double origin[DIM_MAX];
+        for (int a = 0; a < p->dim; a++) origin[a] = gsl_rng_uniform(random);
+        double angle = 90 * gsl_rng_uniform(random);
         if (f.hexagonal) f.d[1] = sqrt(0.75) * f.d[0];
         if (o->has_angle) angle = o->angle;
-        for (int a = 0; a < 2; a++) f.first[a] = f.d[a] * (o->has_origin ? o->origin[a] : origin[a]);
+        for (int a = 0; a < p->dim; a++) f.first[a] = f.d[a] * (o->has_origin ? o->origin[a] : origin[a]);
         f.axis[0] = cos(angle * M_PI / 180), f.axis[1] = sin(angle * M_PI / 180);
     }
     for (int a = 0; a < p->dim; a++) {
@@ -54,36 +60,37 @@ static struct frame frame_of(const struct problem *p, const struct options *o, c
         take_range(p, a, &f, reach, &f.moves.from[a], &f.moves.to[a]);
         take_range(p, a, &f, CORE * l->dx[0], &core_from[a], &core_to[a]);
     }
-    layout_moves_draw(&f.moves, p->dim, core_from, core_to, random);
-    f.blocks = (int)fmax(1, floor(reach / l->dx[0]));
+    layout_moves_draw(&f.moves, core_from, core_to, random);
+    for (int a = 0; a < DIM_MAX; a++) f.blocks[a] = (int)fmax(1, floor(reach / l->dx[0]));
     return f;
 }
 
-/* Point (i, j): in the axes of the lattice, `at`, and in the plane, x. */
-static void place(const struct frame *f, int dim, int i, int j, double at[2], double x[2]) {
-    at[0] = f->first[0] + i * f->d[0];
-    at[1] = dim == 2 ? f->first[1] + j * f->d[1] : 0;
-    if (f->hexagonal) at[0] += (j % 2 ? 0.25 : -0.25) * f->d[0];
-    for (int a = 0; a < dim && f->moved > 0; a++) at[a] += f->moved * layout_moves_at(&f->moves, i, j, a);
+/* A point by its index: in the axes of the lattice, `at`, and in those of the body, x. */
+static void place(const struct frame *f, const int index[DIM_MAX], double at[DIM_MAX], double x[DIM_MAX]) {
+    const double *move = layout_moves_at(&f->moves, index);
+    for (int a = 0; a < DIM_MAX; a++) at[a] = a < f->dim ? f->first[a] + index[a] * f->d[a] : 0;
+    if (f->hexagonal) at[0] += (index[1] % 2 ? 0.25 : -0.25) * f->d[0];
+    for (int a = 0; a < f->dim && f->moved > 0; a++) at[a] += f->moved * move[a];
     x[0] = f->axis[0] * at[0] - f->axis[1] * at[1];
     x[1] = f->axis[1] * at[0] + f->axis[0] * at[1];
+    x[2] = at[2];
 }
 
-struct list { /* points, x and y alternating, and the cells of particles */
+struct list { /* points, DIM_MAX coordinates each, and the cells of particles */
     size_t n, room;
     double *x, *cell;
     unsigned char *held;
 };
 
-static void list_add(struct list *l, const double x[2], double cell, int held) {
+static void list_add(struct list *l, const double x[DIM_MAX], double cell, int held) {
     if (l->n == l->room) {
         size_t room = l->room ? 2 * l->room : 256;
-        l->x = xgrow(l->x, 2 * l->n, 2 * room, sizeof *l->x);
+        l->x = xgrow(l->x, DIM_MAX * l->n, DIM_MAX * room, sizeof *l->x);
         l->cell = xgrow(l->cell, l->n, room, sizeof *l->cell);
         l->held = xgrow(l->held, l->n, room, sizeof *l->held);
         l->room = room;
     }
-    l->x[2 * l->n] = x[0], l->x[2 * l->n + 1] = x[1];
+    for (size_t a = 0; a < DIM_MAX; a++) l->x[DIM_MAX * l->n + a] = x[a];
     l->cell[l->n] = cell, l->held[l->n++] = (unsigned char)held;
 }
 
@@ -93,38 +100,44 @@ static void list_free(struct list *l) {
     free(l->held);
 }
 
-/* Distance of a point from the body, m; beyond a corner that from the corner. */
-static double beyond(const struct problem *p, const double x[2], double depth) {
-    double away[2] = {0, 0};
+/* Distance of a point from the body, m; beyond an edge or a corner that from it. */
+static double beyond(const struct problem *p, const double *x, double depth) {
+    double away[DIM_MAX] = {0};
     if (p->shape) return -depth;
     for (int a = 0; a < p->dim; a++) away[a] = fmax(0, fmax(p->lo[a] - x[a], x[a] - p->hi[a]));
-    return hypot(away[0], away[1]);
+    return hypot(hypot(away[0], away[1]), away[2]);
 }
 
-static void sort_point(const struct problem *p, const struct frame *f, const double at[2], const double x[2],
-                       double reach, struct list *inside, struct list *outside) {
+struct points {
+    const struct problem *p;
+    struct frame f;
+    double reach; /* m */
+    struct list inside, outside;
+};
+
+static void sort_point(void *context, const int index[DIM_MAX]) {
+    struct points *all = context;
+    const struct problem *p = all->p;
+    const struct frame *f = &all->f;
     int wall;
-    double depth = shape_nearest(p, x, &wall).depth, on = LAYOUT_ON_WALL * f->d[0], lo[2], hi[2];
+    double at[DIM_MAX], x[DIM_MAX], lo[DIM_MAX], hi[DIM_MAX];
+    place(f, index, at, x);
+    double depth = shape_nearest(p, x, &wall).depth, on = LAYOUT_ON_WALL * f->d[0];
     if (f->clear > 0 && depth < f->clear) return;
     if (!(depth >= -on)) {
-        if (beyond(p, x, depth) < reach) list_add(outside, x, 0, 0);
+        if (beyond(p, x, depth) < all->reach) list_add(&all->outside, x, 0, 0);
         return;
     }
-    for (int a = 0; a < 2; a++) lo[a] = at[a] - f->d[a] / 2, hi[a] = at[a] + f->d[a] / 2;
-    list_add(inside, x, shape_clipped(p, lo, hi), depth <= on && p->side[wall] == DIRICHLET);
+    for (int a = 0; a < DIM_MAX; a++) lo[a] = at[a] - f->d[a] / 2, hi[a] = at[a] + f->d[a] / 2;
+    list_add(&all->inside, x, shape_clipped(p, lo, hi), depth <= on && p->side[wall] == DIRICHLET);
 }
 
 static void fill(struct cloud *c, const struct list *inside, const struct list *outside, size_t room) {
-    c->x = xcalloc(room, sizeof *c->x);
-    c->y = xcalloc(room, sizeof *c->y);
-    c->source = xcalloc(room, sizeof *c->source);
-    c->factor = xcalloc(room, sizeof *c->factor);
-    c->offset = xcalloc(room, sizeof *c->offset);
+    layout_cloud_alloc(c, room);
     c->cell = xcalloc(c->n, sizeof *c->cell);
     c->held = xcalloc(c->n, 1);
     for (size_t i = 0; i < c->total; i++) {
-        const double *x = i < c->n ? inside->x + 2 * i : outside->x + 2 * (i - c->n);
-        c->x[i] = x[0], c->y[i] = x[1];
+        layout_cloud_put(c, i, i < c->n ? inside->x + DIM_MAX * i : outside->x + DIM_MAX * (i - c->n));
         c->source[i] = i < c->n ? (uint32_t)i : 0;
         c->factor[i] = i < c->n;
     }
@@ -134,9 +147,11 @@ static void fill(struct cloud *c, const struct list *inside, const struct list *
 /* Replaces the dummies by images of the particles in plane walls.  A particle on a wall is its own image. */
 static void mirror(const struct problem *p, const struct options *o, const struct lattice *l, struct cloud *c) {
     c->total = c->n;
-    for (size_t i = 0; i < c->n; i++)
-        if (shape_depth(p, (const double[2]){c->x[i], c->y[i]}) > LAYOUT_ON_WALL * l->dx[0])
-            layout_mirror(p, o, l, i, c);
+    for (size_t i = 0; i < c->n; i++) {
+        double x[DIM_MAX];
+        layout_cloud_place(c, i, x);
+        if (shape_depth(p, x) > LAYOUT_ON_WALL * l->dx[0]) layout_mirror(p, o, l, i, c);
+    }
 }
 
 /* The images of all particles in round walls: as far beyond the nearest point of each as the particle is in front. Of
@@ -145,13 +160,15 @@ static void mirror_round(const struct problem *p, struct cloud *c) {
     const double k = p->material[0].k[0];
     c->total = c->n;
     for (size_t i = 0; i < c->n; i++) {
-        const double x[2] = {c->x[i], c->y[i]};
+        double x[DIM_MAX], image[DIM_MAX];
+        layout_cloud_place(c, i, x);
         for (int s = X_LO; s <= X_HI; s++) {
             if (!shape_has_wall(p, s)) continue;
             struct foot foot = shape_foot(p, s, x);
             if (foot.depth >= c->reach) continue;
             size_t g = c->total++;
-            for (int a = 0; a < 2; a++) (a ? c->y : c->x)[g] = x[a] + 2 * foot.depth * foot.normal[a];
+            for (int a = 0; a < DIM_MAX; a++) image[a] = x[a] + 2 * foot.depth * foot.normal[a];
+            layout_cloud_put(c, g, image);
             double value = p->wall(p, (enum side)s, foot.x, 0);
             double sign = p->side[s] == DIRICHLET ? -1 : layout_robin_factor(p, s, k, foot.depth);
             c->source[g] = (uint32_t)i;
@@ -163,32 +180,23 @@ static void mirror_round(const struct problem *p, struct cloud *c) {
 
 int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                struct cloud *c, struct failure *why) {
-    struct list inside = {0}, outside = {0};
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(random, o->seed);
-    struct frame f = frame_of(p, o, l, reach, random);
+    struct points all = {p, frame_of(p, o, l, reach, random), reach, {0}, {0}};
     gsl_rng_free(random);
-    const int *from = f.moves.from, *to = f.moves.to;
-    for (int j0 = from[1]; j0 < to[1]; j0 += f.blocks)
-        for (int i0 = from[0]; i0 < to[0]; i0 += f.blocks)
-            for (int j = j0; j < j0 + f.blocks && j < to[1]; j++)
-                for (int i = i0; i < i0 + f.blocks && i < to[0]; i++) {
-                    double at[2], x[2];
-                    place(&f, p->dim, i, j, at, x);
-                    sort_point(p, &f, at, x, reach, &inside, &outside);
-                }
-    layout_moves_free(&f.moves);
+    layout_in_blocks(all.f.moves.from, all.f.moves.to, all.f.blocks, sort_point, &all);
+    layout_moves_free(&all.f.moves);
     int mirrors = o->walls == WALLS_MIRROR;
-    if (o->walls == WALLS_ONE_SIDED) outside.n = 0;
-    *c = (struct cloud){.dim = p->dim, .n = inside.n, .total = inside.n + outside.n, .reach = reach};
-    c->volume = f.d[0] * (p->dim == 2 ? f.d[1] : 1);
-    fill(c, &inside, &outside, mirrors ? 4 * c->total : c->total);
+    if (o->walls == WALLS_ONE_SIDED) all.outside.n = 0;
+    *c = (struct cloud){.dim = p->dim, .n = all.inside.n, .total = all.inside.n + all.outside.n, .reach = reach};
+    c->volume = all.f.d[0] * all.f.d[1] * all.f.d[2];
+    fill(c, &all.inside, &all.outside, mirrors ? (p->dim == 3 ? 8 : 4) * c->total : c->total);
     if (mirrors && p->shape)
         mirror_round(p, c);
     else if (mirrors)
         mirror(p, o, l, c);
-    list_free(&inside);
-    list_free(&outside);
+    list_free(&all.inside);
+    list_free(&all.outside);
     if (c->n > 0) return STATUS_OK;
     layout_cloud_free(c);
     return refuse(why, STATUS_INPUT, "--dx %g: no point of the lattice is in the body; use a smaller --dx", o->dx);

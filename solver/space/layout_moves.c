@@ -1,39 +1,74 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Jitter that belongs to the seed alone: points are drawn in blocks of two by two, whatever the reach of the
+/* The order of lattice points in blocks, and their jitter.
+ *
+ * Jitter belongs to the seed alone: points are drawn in blocks of two along each axis, whatever the reach of the
  * operator, first those of the core and then those around it, so that all operators get the same particles. */
 #include "solver/space/layout.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-static double *move_of(const struct layout_moves *m, int i, int j) {
-    return m->move + 2 * ((size_t)(j - m->from[1]) * (size_t)(m->to[0] - m->from[0]) + (size_t)(i - m->from[0]));
+/* Advances an index by `step`, x fastest; 0 at the end. */
+static int advance(int at[DIM_MAX], const int from[DIM_MAX], const int to[DIM_MAX], const int step[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) {
+        at[a] += step[a];
+        if (at[a] < to[a]) return 1;
+        at[a] = from[a];
+    }
+    return 0;
 }
 
-static int is_in(const int from[2], const int to[2], int i, int j) {
-    return i >= from[0] && i < to[0] && j >= from[1] && j < to[1];
+void layout_in_blocks(const int from[DIM_MAX], const int to[DIM_MAX], const int side[DIM_MAX],
+                      void (*visit)(void *context, const int at[DIM_MAX]), void *context) {
+    static const int one[DIM_MAX] = {1, 1, 1};
+    int block[DIM_MAX], end[DIM_MAX], at[DIM_MAX];
+    memcpy(block, from, sizeof block);
+    do {
+        for (int a = 0; a < DIM_MAX; a++) end[a] = block[a] + side[a] < to[a] ? block[a] + side[a] : to[a];
+        memcpy(at, block, sizeof at);
+        do visit(context, at);
+        while (advance(at, block, end, one));
+    } while (advance(block, from, to, side));
 }
 
-static void draw(struct layout_moves *m, int dim, int i, int j, gsl_rng *random) {
-    double unused[2], *move = is_in(m->from, m->to, i, j) ? move_of(m, i, j) : unused;
-    for (int a = 0; a < dim; a++) move[a] = gsl_rng_uniform(random) - 0.5;
+static size_t index_of(const struct layout_moves *m, const int at[DIM_MAX]) {
+    size_t k = 0;
+    for (int a = DIM_MAX - 1; a >= 0; a--) k = k * (size_t)(m->to[a] - m->from[a]) + (size_t)(at[a] - m->from[a]);
+    return k * (size_t)m->dim;
 }
 
-void layout_moves_draw(struct layout_moves *m, int dim, const int core_from[2], const int core_to[2],
+static int is_in(const int from[DIM_MAX], const int to[DIM_MAX], const int at[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++)
+        if (at[a] < from[a] || at[a] >= to[a]) return 0;
+    return 1;
+}
+
+struct draw {
+    struct layout_moves *m;
+    gsl_rng *random;
+    const int *core_from, *core_to; /* NULL within the core */
+};
+
+static void draw(void *context, const int at[DIM_MAX]) {
+    const struct draw *d = context;
+    double unused[DIM_MAX], *move = is_in(d->m->from, d->m->to, at) ? d->m->move + index_of(d->m, at) : unused;
+    if (d->core_from && is_in(d->core_from, d->core_to, at)) return;
+    for (int a = 0; a < d->m->dim; a++) move[a] = gsl_rng_uniform(d->random) - 0.5;
+}
+
+void layout_moves_draw(struct layout_moves *m, const int core_from[DIM_MAX], const int core_to[DIM_MAX],
                        gsl_rng *random) {
-    enum { BLOCK = 2 };
-    const int high = dim == 2 ? BLOCK : 1;
-    m->move = xcalloc(2 * (size_t)(m->to[0] - m->from[0]) * (size_t)(m->to[1] - m->from[1]), sizeof *m->move);
-    for (int j0 = core_from[1]; j0 < core_to[1]; j0 += high)
-        for (int i0 = core_from[0]; i0 < core_to[0]; i0 += BLOCK)
-            for (int j = j0; j < j0 + high && j < core_to[1]; j++)
-                for (int i = i0; i < i0 + BLOCK && i < core_to[0]; i++) draw(m, dim, i, j, random);
-    for (int j = m->from[1]; j < m->to[1]; j++)
-        for (int i = m->from[0]; i < m->to[0]; i++)
-            if (!is_in(core_from, core_to, i, j)) draw(m, dim, i, j, random);
+    static const int block[DIM_MAX] = {2, 2, 2};
+    size_t points = 1;
+    int all[DIM_MAX];
+    for (int a = 0; a < DIM_MAX; a++) all[a] = m->to[a] - m->from[a], points *= (size_t)all[a];
+    m->move = xcalloc(points * (size_t)m->dim, sizeof *m->move);
+    layout_in_blocks(core_from, core_to, block, draw, &(struct draw){m, random, NULL, NULL});
+    layout_in_blocks(m->from, m->to, all, draw, &(struct draw){m, random, core_from, core_to});
 }
 
-double layout_moves_at(const struct layout_moves *m, int i, int j, int axis) {
-    return move_of(m, i, j)[axis];
+const double *layout_moves_at(const struct layout_moves *m, const int at[DIM_MAX]) {
+    return m->move + index_of(m, at);
 }
 
 void layout_moves_free(struct layout_moves *m) {

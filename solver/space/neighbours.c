@@ -9,7 +9,7 @@
 /* Cell of point i, by axis. */
 static void find_cell(const struct neighbours *nb, size_t i, int at[DIM_MAX]) {
     double x[DIM_MAX];
-    cloud_place(nb->cloud, i, x);
+    layout_cloud_place(nb->cloud, i, x);
     for (int a = 0; a < DIM_MAX; a++) at[a] = (int)((x[a] - nb->lo[a]) / nb->cell);
 }
 
@@ -30,10 +30,10 @@ static double least_cell(const double extent[DIM_MAX], double n) {
 
 void neighbours_create(struct neighbours *nb, const struct cloud *c, double radius) {
     double lo[DIM_MAX], hi[DIM_MAX], extent[DIM_MAX], x[DIM_MAX];
-    cloud_place(c, 0, lo);
-    cloud_place(c, 0, hi);
+    layout_cloud_place(c, 0, lo);
+    layout_cloud_place(c, 0, hi);
     for (size_t i = 1; i < c->total; i++) {
-        cloud_place(c, i, x);
+        layout_cloud_place(c, i, x);
         for (int a = 0; a < DIM_MAX; a++) lo[a] = fmin(lo[a], x[a]), hi[a] = fmax(hi[a], x[a]);
     }
     for (int a = 0; a < DIM_MAX; a++) extent[a] = hi[a] - lo[a];

@@ -203,7 +203,7 @@ static void take_lattice(struct command *c) {
     const struct method *method = c->experiment.method;
     int round = c->experiment.scene && c->experiment.problem.shape;
     o->has_origin = c->origin.count > 0, o->has_angle = command_given(c, "angle") != NULL;
-    for (int a = 0; a < 2 && o->has_origin; a++) o->origin[a] = c->origin.value[a];
+    for (int a = 0; a < c->origin.count && a < 3; a++) o->origin[a] = c->origin.value[a];
     if (round && !command_given(c, "walls") && !(method && (!method->scheme || method->scheme->cells)))
         o->walls = WALLS_FIT;
 }

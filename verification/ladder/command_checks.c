@@ -85,9 +85,10 @@ int command_check(const struct command *c, struct failure *why) {
         {map->plane && !plane, "axes", "the scene is a rod along x", "a scene in the plane"},
         {map->axes && map->axes != p->dim, "map", plane ? "the scene has x and y" : "the scene has x alone",
          plane ? "x,y or y,-x and the like" : "x or -x"},
-        {c->origin.count > 0 && c->origin.count != 2, "origin", "it is a point", "X,Y, in dx"},
+        {c->origin.count > 0 && c->origin.count != p->dim, "origin", "it is a point",
+         p->dim == 3 ? "X,Y,Z, in dx" : "X,Y, in dx"},
         {round && command_given(c, "shift"), "shift", "it is for plane walls, the scene is round",
-         "--origin X,Y and --angle A"},
+         p->dim == 3 ? "--origin X,Y,Z and --angle A" : "--origin X,Y and --angle A"},
         {flat && o->has_origin, "origin", "it is for round bodies, the scene has plane walls", "--shift S"},
         {flat && o->has_angle, "angle", "it is for round bodies, the scene has plane walls", "--shift S"},
     };
