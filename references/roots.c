@@ -7,7 +7,11 @@
  *     z + atan2(z, biot) = n pi   or   z - atan2(biot, z) = (n - 1) pi.
  *
  * The left sides increase without bound, so there is one root for each n >= 1, also at biot = 0 and infinity
- * (Carslaw and Jaeger 1959, section 3.9 and appendix IV). */
+ * (Carslaw and Jaeger 1959, section 3.9 and appendix IV).
+ *
+ * Round bodies: since z J_m' = m J_m - z J_(m+1), the conditions at the wall have the form z J_(m+1) = (m + B) J_m
+ * with B = infinity, 0 and biot, for J_m and for j_m.  It has one root between 0 and the first root of J_m if m + B >
+ * 0; for m = B = 0 it is the first root of J_1 (sections 7.6, 7.7 and 9.4). */
 #include "references/roots.h"
 
 #include <float.h>
@@ -59,4 +63,28 @@ double roots_cooled(int n, int insulated, double biot) {
     if (biot == 0) return lo;
     if (isinf(biot)) return hi;
     return roots_increasing(phase, &c, lo, hi);
+}
+
+struct round {
+    int m, held; /* held: J_m = 0 */
+    double biot;
+    double (*J)(int m, double z);
+};
+
+static double excess(double z, const void *data) {
+    const struct round *c = data;
+    if (c->held) return -c->J(c->m, z);
+    double weight = c->m + c->biot;
+    return (z * c->J(c->m + 1, z) - weight * c->J(c->m, z)) / (1 + weight);
+}
+
+/* z J_m' can decrease only for z > m, so the root is above m.  The first root of J_nu is above nu + 1/2 and below nu
+ * + 2 nu^(1/3) + 2.41; that of j_m is that of J_(m + 1/2). */
+double roots_round(double (*J)(int m, double z), int m, int spherical, enum side_kind wall, double biot) {
+    struct round c = {m, wall == DIRICHLET, wall == ROBIN ? biot : 0, J};
+    if (m == 0 && wall == NEUMANN) c = (struct round){1, 1, 0, J};
+    struct round held = {c.m, 1, 0, J};
+    double nu = spherical ? c.m + 0.5 : c.m,
+           most = roots_increasing(excess, &held, nu + 0.5, nu + 2 * cbrt(nu) + 2.41);
+    return c.held ? most : roots_increasing(excess, &c, c.m, most);
 }

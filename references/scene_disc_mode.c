@@ -9,9 +9,7 @@
  *
  *     T = Tm + A J_m(lambda r/R) cos(m theta) exp(-k lambda^2 t/(rho_c R^2))
  *
- * Since z J_m' = m J_m - z J_(m+1), all three conditions have the form z J_(m+1) = (m + B) J_m with B = infinity, 0
- * and b R/k.  It has one root between 0 and the first root of J_m if m + B > 0; for m = B = 0 it is the first root
- * of J_1.  The second form evaluates J_m by Bessel's integral with the trapezoidal rule and computes its own root
+ * The second form evaluates J_m by Bessel's integral with the trapezoidal rule and computes its own root
  * from it.
  *
  * Restrictions: A < Tm, so that T > 0 (|J_m| <= 1); mode <= 20; 1e-12 <= b R/k <= 1e12. */
@@ -41,29 +39,9 @@ static const struct param params[] = {
     {NULL, 0, NULL, NULL, NULL},
 };
 
-struct condition { /* z J_(m+1) = (m + biot) J_m; J_m = 0 for a Dirichlet wall */
-    int m, held;
-    double biot;
-    double (*J)(int m, double z);
-};
-
-static double excess(double z, const void *data) {
-    const struct condition *c = data;
-    if (c->held) return -c->J(c->m, z);
-    double weight = c->m + c->biot;
-    return (z * c->J(c->m + 1, z) - weight * c->J(c->m, z)) / (1 + weight);
-}
-
-/* z J_m' can decrease only for z > m, so the root is above m.  The first root of J_m is below m + 2 m^(1/3) + 2.41.
- */
 static double first_root(const struct problem *p, double (*J)(int m, double z)) {
     const double *v = p->param;
-    int m = (int)v[MODE], kind = (int)v[WALL];
-    struct condition c = {m, kind == 1, kind == 3 ? v[B] * v[R] / v[K] : 0, J};
-    if (m == 0 && kind == 2) c = (struct condition){1, 1, 0, J}; /* J_0' = -J_1 */
-    struct condition held = {c.m, 1, 0, J};
-    double most = roots_increasing(excess, &held, c.m + 0.5, c.m + 2 * cbrt(c.m) + 2.41);
-    return c.held ? most : roots_increasing(excess, &c, c.m > 0 ? c.m : 0, most);
+    return roots_round(J, (int)v[MODE], 0, p->side[X_HI], p->robin[X_HI] * v[R] / v[K]);
 }
 
 /* |J_m|, |J_m'| and |z J_m'|/(m + 1) are at most 1.  Errors: a few eps in J_m (GSL), m eps in the phase. */

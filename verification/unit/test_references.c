@@ -24,17 +24,11 @@ static struct scene cases[64]; /* ended by a NULL name */
 static const struct {
     const char *scene, *param;
     double value;
-} branch[] = {{"rod-cooling", "b", 0},
-              {"rod-cooling", "b", 1e5},
-              {"plate-cooling", "b", 0},
-              {"plate-cooling", "b", 1e5},
-              {"disc-mode", "mode", 0},
-              {"disc-mode", "wall", 1},
-              {"disc-mode", "wall", 2},
-              {"plane-contact", "mode", 0},
-              {"rod-driven", "omega", 0.03},
-              {"wave", "mode_z", 3},
-              {"front", "n", 1},
+} branch[] = {{"rod-cooling", "b", 0},         {"rod-cooling", "b", 1e5},    {"plate-cooling", "b", 0},
+              {"plate-cooling", "b", 1e5},     {"disc-mode", "mode", 0},     {"disc-mode", "wall", 1},
+              {"disc-mode", "wall", 2},        {"plane-contact", "mode", 0}, {"ball-mode", "l", 2},
+              {"ball-mode", "m", 0},           {"ball-mode", "wall", 1},     {"ball-mode", "wall", 2},
+              {"rod-driven", "omega", 0.03},   {"wave", "mode_z", 3},        {"front", "n", 1},
               {"wall-kirchhoff", "beta", -0.4}};
 
 static int list_cases(void **state) {
