@@ -353,7 +353,8 @@ league: all ## Run other codes (make setup-peers): the battery, and error agains
 	@mkdir -p $(OUT)/league
 	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES) $(PEERS)
 	$(Q)scripts/league $(BUILD)/heatladder $(BUILD) $(OUT)/league
-	$(Q)if command -v gnuplot >/dev/null; then scripts/plot $(OUT)/league reports/bench/league.gp; \
+	$(Q)if command -v gnuplot >/dev/null; then for data in $(OUT)/league/league*.csv; do \
+	scripts/plot $(OUT)/league reports/bench/league.gp $$data; done; \
 	else echo "league: gnuplot is not here (make setup installs it); the chart was not drawn"; fi
 
 faults: $(BUILD)/heatladder ## Seed faults in the examples; the battery must see each

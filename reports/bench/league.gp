@@ -1,6 +1,6 @@
-# Error against the time of the solve on square-step, for this code (thick lines) and others.
+# Error against the time of the solve, for this code (thick lines) and others.
 if (!exists("data")) data = 'reports/out/league/league.csv'
-name = 'league'
+name = system(sprintf("basename '%s' .csv", data))
 wide = 1000; high = 600
 load 'reports/figure/style.gp'
 set logscale xy
