@@ -4,36 +4,32 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
-
-const char *const mapping_planes[] = {"x,y", "x,z", "y,z", NULL};
 
 int mapping_is_none(const struct mapping *m) {
-    return m->axes == 0 && m->scale == 0 && m->offset == 0 && m->plane == 0;
+    return m->axes == 0 && m->scale == 0 && m->offset == 0;
 }
 
 int mapping_same(const struct mapping *m, const struct mapping *n) {
-    return m->swap == n->swap && m->against[0] == n->against[0] && m->against[1] == n->against[1] &&
-           mapping_scale(m) == mapping_scale(n) && m->offset == n->offset && m->plane == n->plane;
+    for (int a = 0; a < DIM_MAX; a++)
+        if (mapping_axis(m, a) != mapping_axis(n, a) || m->against[a] != n->against[a]) return 0;
+    return mapping_scale(m) == mapping_scale(n) && m->offset == n->offset;
 }
 
 int mapping_read(const char *text, struct mapping *m) {
-    int named[2] = {0, 0}, axis[2] = {0, 1}, n = 0;
-    struct mapping read = *m;
-    for (const char *at = text; n < 2; n++) {
-        read.against[n] = *at == '-';
-        at += *at == '-';
-        if (*at != 'x' && *at != 'y') return -1;
-        axis[n] = *at++ == 'y';
-        named[axis[n]]++;
-        if (*at == '\0') break;
-        if (*at++ != ',') return -1;
+    struct mapping read = {.from = {0, 1, 2}, .scale = m->scale, .offset = m->offset};
+    int named[DIM_MAX] = {0};
+    for (const char *at = text; read.axes < DIM_MAX; at++) {
+        int n = read.axes++, minus = *at == '-', axis = at[minus] - 'x';
+        if (axis < 0 || axis >= DIM_MAX || named[axis]++) return -1;
+        read.from[n] = axis, read.against[n] = minus;
+        at += minus + 1;
+        if (*at == ',') continue;
+        for (int a = 0; a < read.axes; a++)
+            if (*at || !named[a]) return -1;
+        *m = read;
+        return 0;
     }
-    if (n == 2 || named[0] != 1 || named[1] != n) return -1;
-    read.axes = n + 1;
-    read.swap = axis[0];
-    *m = read;
-    return 0;
+    return -1;
 }
 
 void mapping_print(const struct mapping *m, char *text) {
@@ -41,11 +37,17 @@ void mapping_print(const struct mapping *m, char *text) {
     text[0] = '\0';
     for (int a = 0; a < m->axes; a++)
         used += (size_t)snprintf(text + used, MAPPING_WORDS - used, "%s%s%c", a ? "," : "", m->against[a] ? "-" : "",
-                                 "xy"[mapping_axis(m, a)]);
+                                 "xyz"[m->from[a]]);
 }
 
 int mapping_axis(const struct mapping *m, int axis) {
-    return m->swap ? 1 - axis : axis;
+    return m->axes ? m->from[axis] : axis;
+}
+
+int mapping_axis_back(const struct mapping *m, int axis) {
+    int a = 0;
+    while (mapping_axis(m, a) != axis) a++;
+    return a;
 }
 
 enum side mapping_side(const struct mapping *m, enum side s) {
@@ -54,13 +56,13 @@ enum side mapping_side(const struct mapping *m, enum side s) {
 }
 
 /* 0 - x avoids a negative zero. */
-void mapping_to_scene(const struct mapping *m, int dim, const double x[2], double to[2]) {
-    to[1] = 0;
+void mapping_to_scene(const struct mapping *m, int dim, const double *x, double to[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) to[a] = 0;
     for (int a = 0; a < dim; a++) to[mapping_axis(m, a)] = m->against[a] ? 0 - x[a] : x[a];
 }
 
-void mapping_to_case(const struct mapping *m, int dim, const double x[2], double to[2]) {
-    to[1] = 0;
+void mapping_to_case(const struct mapping *m, int dim, const double *x, double to[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) to[a] = 0;
     for (int a = 0; a < dim; a++) {
         double along = x[mapping_axis(m, a)];
         to[a] = m->against[a] ? 0 - along : along;
@@ -79,38 +81,38 @@ double mapping_temperature_back(const struct mapping *m, double T) {
     return (T - m->offset) / mapping_scale(m);
 }
 
-static double initial(const struct problem *p, const double x[2]) {
+static double initial(const struct problem *p, const double *x) {
     const struct image *i = p->data;
-    double at[2];
+    double at[DIM_MAX];
     mapping_to_scene(&i->map, p->dim, x, at);
     return mapping_temperature(&i->map, i->of->initial(i->of, at));
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2], double t) {
+static double wall(const struct problem *p, enum side s, const double *x, double t) {
     const struct image *i = p->data;
-    double at[2];
+    double at[DIM_MAX];
     mapping_to_scene(&i->map, p->dim, x, at);
     double held = i->of->wall(i->of, p->shape ? s : mapping_side(&i->map, s), at, t);
     return p->side[s] == NEUMANN ? mapping_scale(&i->map) * held : mapping_temperature(&i->map, held);
 }
 
-static double wall_rate(const struct problem *p, enum side s, const double x[2], double t) {
+static double wall_rate(const struct problem *p, enum side s, const double *x, double t) {
     const struct image *i = p->data;
-    double at[2];
+    double at[DIM_MAX];
     mapping_to_scene(&i->map, p->dim, x, at);
     return mapping_scale(&i->map) * i->of->wall_rate(i->of, p->shape ? s : mapping_side(&i->map, s), at, t);
 }
 
-static double source(const struct problem *p, const double x[2]) {
+static double source(const struct problem *p, const double *x) {
     const struct image *i = p->data;
-    double at[2];
+    double at[DIM_MAX];
     mapping_to_scene(&i->map, p->dim, x, at);
     return mapping_scale(&i->map) * i->of->source(i->of, at);
 }
 
-static double source_rate(const struct problem *p, const double x[2]) {
+static double source_rate(const struct problem *p, const double *x) {
     const struct image *i = p->data;
-    double at[2];
+    double at[DIM_MAX];
     mapping_to_scene(&i->map, p->dim, x, at);
     return mapping_scale(&i->map) * i->of->source_rate(i->of, at);
 }
@@ -149,7 +151,7 @@ static void image_axis(struct image *image, int a) {
 }
 
 void mapping_image(const struct mapping *m, const struct problem *p, struct image *image) {
-    *image = (struct image){.problem = *p, .of = p, .map = *m, .interface_axis = mapping_axis(m, 0)};
+    *image = (struct image){.problem = *p, .of = p, .map = *m, .interface_axis = mapping_axis_back(m, 0)};
     struct problem *of = &image->problem;
     of->data = image;
     of->initial = initial;

@@ -13,43 +13,38 @@
  *
  * Each k follows its axis. rho_c and Robin's b do not change.  Fluxes and sources are multiplied by scale; wall and
  * air temperatures are mapped like T.  Solvers, references and norms use the scene.  The case file, the points of
- * the oracle and the output of external programs use the axes and the temperature of the case.
- *
- * A three-dimensional program solves a plane scene as a slab that is uniform along a third axis.  The x and y of the
- * case are then two of its x, y and z. */
+ * the oracle and the output of external programs use the axes and the temperature of the case. */
 
-/* All zero: the identity. */
+/* All zero: the identity.  Otherwise a signed permutation of the axes: 2 of a rod, 8 of a rectangle, 48 of a box. */
 struct mapping {
-    int axes;       /* number of axes given to --map, 1 or 2; 0: no map */
-    int swap;       /* 1: x of the case is y of the scene */
-    int against[2]; /* by axis of the case: 1 if it runs opposite to the scene's axis */
-    double scale;   /* 0: not given, equivalent to 1 */
-    double offset;  /* K */
-    int plane;      /* index into mapping_planes: the program's axes for x and y of the case */
+    int axes;             /* number of axes given to --map, 1 to 3; 0: no map */
+    int from[DIM_MAX];    /* by axis of the case, if axes > 0: the scene's axis */
+    int against[DIM_MAX]; /* by axis of the case: 1 if it runs opposite to the scene's axis */
+    double scale;         /* 0: not given, equivalent to 1 */
+    double offset;        /* K */
 };
 
-extern const char *const mapping_planes[]; /* "x,y", "x,z", "y,z", NULL */
-
-enum { MAPPING_WORDS = 8 };
+enum { MAPPING_WORDS = 12 };
 
 /* 1 if no map is given. */
 int mapping_is_none(const struct mapping *m);
 int mapping_same(const struct mapping *m, const struct mapping *n);
 
-/* Reads the axes from "x", "-x", or one word for each axis such as "y,-x": x and y of the case in terms of the
- * scene.  Returns 0, or -1 if the text is invalid. */
+/* Reads the axes from one word for each axis of the scene, such as "-x", "y,-x" or "z,x,-y": the axes of the case in
+ * terms of the scene.  Returns 0, or -1 if the text is invalid. */
 int mapping_read(const char *text, struct mapping *m);
 /* Writes the same words, "" if no axes are given, to text[MAPPING_WORDS]. */
 void mapping_print(const struct mapping *m, char *text);
 
-/* The scene's axis for an axis of the case.  The index map is its own inverse. */
+/* The scene's axis for an axis of the case, and back. */
 int mapping_axis(const struct mapping *m, int axis);
+int mapping_axis_back(const struct mapping *m, int axis);
 /* The scene's side for a side of the case. */
 enum side mapping_side(const struct mapping *m, enum side s);
 
-/* Coordinates of the scene from those of the case (m), and back; x and to must not overlap. */
-void mapping_to_scene(const struct mapping *m, int dim, const double x[2], double to[2]);
-void mapping_to_case(const struct mapping *m, int dim, const double x[2], double to[2]);
+/* Coordinates of the scene from those of the case (m), and back; 0 past dim.  x and to must not overlap. */
+void mapping_to_scene(const struct mapping *m, int dim, const double *x, double to[DIM_MAX]);
+void mapping_to_case(const struct mapping *m, int dim, const double *x, double to[DIM_MAX]);
 
 double mapping_scale(const struct mapping *m);
 double mapping_temperature(const struct mapping *m, double T);      /* scene to case */

@@ -103,7 +103,7 @@ static void list_battery_details(void) {
     for (int k = 0; k < 3; k++) {
         struct gates all = {0};
         struct failure ignored;
-        battery_add(battery_orders[k], PROFILE_SLABS, 0, &all, &ignored);
+        battery_add(battery_orders[k], PROFILE_ALL, 0, &all, &ignored);
         battery_bounds(&all, &ignored);
         for (int i = 0; i < all.declared; i++) {
             const struct gate *g = &all.result[i].gate;

@@ -57,7 +57,7 @@ static double round_area(const struct problem *p, const double *lo, const double
 static struct foot round_foot(const struct problem *p, enum side s, const double *x) {
     double R = p->radius[s], r = hypot(x[0], x[1]), u[2] = {r > 0 ? x[0] / r : 1, r > 0 ? x[1] / r : 0};
     int out = s == X_HI ? 1 : -1;
-    return (struct foot){{R * u[0], R * u[1]}, {out * u[0], out * u[1]}, out * (R - r)};
+    return (struct foot){{R * u[0], R * u[1], 0}, {out * u[0], out * u[1], 0}, out * (R - r)};
 }
 
 const struct shape shape_disc = {"disc", round_foot, round_area};

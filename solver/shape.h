@@ -6,8 +6,8 @@
 
 /* The shape of a body: interior, distance, nearest wall point, outward normal. */
 
-struct foot {         /* relation of a point to a wall */
-    double x[DIM_MAX];      /* m, nearest point of the wall */
+struct foot {               /* relation of a point to a wall */
+    double x[DIM_MAX];      /* m, nearest point of the wall; 0 past dim */
     double normal[DIM_MAX]; /* outward unit normal */
     double depth;           /* m, distance of the point from the wall; negative outside */
 };

@@ -36,8 +36,7 @@ static inline unsigned long battery_seed(const struct command *c, const struct b
      .excludes = "gates"},                                                                                           \
         {"profile",                                                                                                  \
          "P",                                                                                                        \
-         "rows of the battery (particles: for periodic codes without walls; slabs: all, and slab/* for codes in "    \
-         "three dimensions)",                                                                                        \
+         "rows of the battery (particles: for periodic codes without walls)",                                        \
          option_word,                                                                                                \
          OPTION_PLACE(type, battery.profile),                                                                        \
          .words = battery_profile_words,                                                                             \

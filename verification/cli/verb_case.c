@@ -65,8 +65,8 @@ static const struct option own[] = {
     {0}};
 
 static const struct command_syntax syntax = {
-    "case", "[SCENE]", "into", "dx dt fourier threads t-end set seeds aspect map axes scale offset",
-    "battery profile order seed rungs seeds dx aspect map axes scale offset into"};
+    "case", "[SCENE]", "into", "dx dt fourier threads t-end set seeds aspect map scale offset",
+    "battery profile order seed rungs seeds dx aspect map scale offset into"};
 
 const struct verb verb_case = {
     &syntax, own, sizeof(struct case_options),

@@ -26,7 +26,7 @@ struct reference_options {
 #define PLACE(member) OPTION_PLACE(reference_options, member)
 static const struct option own[] = {
     {"", .about = "Output:"},
-    {"points", "FILE", "CSV of points x or x,y, m; - for standard input", option_text, PLACE(points)},
+    {"points", "FILE", "CSV of points x, x,y or x,y,z, m; - for standard input", option_text, PLACE(points)},
     {"what", "LIST", "columns to print at each point, separated by commas; default temperature", option_text,
      PLACE(what)},
     {"dx", "DX", "extent of the cell around each point, m, for initial_mean and initial_heat", option_number,
@@ -118,7 +118,8 @@ static double *list_times(const struct command *r, int *count) {
 static int check(const struct reference_options *r, struct failure *why) {
     const struct command *c = &r->command;
     if (!r->points == !c->at.count)
-        return refuse(why, STATUS_INPUT, "reference needs either --at X[,Y] or --points FILE (- for standard input)");
+        return refuse(why, STATUS_INPUT,
+                      "reference needs either --at X[,Y[,Z]] or --points FILE (- for standard input)");
     if (!r->what && c->time.count == 0)
         return refuse(why, STATUS_INPUT, "reference needs --time T[,T...]: when, s; or --what names columns without");
     if (!r->json || !(r->points || r->what || c->time.count > 1)) return STATUS_OK;

@@ -16,24 +16,22 @@
 
 const char case_file_help[] =
     "A case file has one `key = value` a line (SI, several values with commas between):\n"
-    "  scene, label, dim        the names on the command line; 1 for a rod, 2 for a rectangle\n"
+    "  scene, label, dim        the names on the command line; 1 for a rod, 2 for a rectangle, 3 for a box\n"
     "  param_NAME               every parameter of the scene (heatladder list scenes explains each)\n"
-    "  axes                     only if given, for codes in three dimensions: x,z or y,z, the axes of the program\n"
-    "                           that x and y of the case are along.  Along the third nothing changes: insulated or\n"
-    "                           periodic, of any thickness.  The answer is one layer, in x and y of the case\n"
     "  map, scale, offset       only if given: the axes of the case in terms of the scene, such as y,-x, and T of\n"
     "                           the case = scale T + offset, K.  All keys but param_NAME are in axes of the case\n"
-    "  lo, hi                   the domain, m: along x, and along y\n"
-    "  shape                    of a round body: disc or annulus, about 0; with radius, or r1 and r2, m\n"
-    "  cells                    extent over dx (along y over dy, if given), rounded: along x, and along y\n"
+    "  lo, hi                   the domain, m: along x, along y and along z\n"
+    "  shape                    of a round body: disc, annulus or ball, about 0; with radius, or r1 and r2, m\n"
+    "  cells                    extent over dx (along y over dy, if given), rounded: along each axis\n"
     "  materials, interface     1; or 2, the second at x >= interface, m\n"
-    "  interface_axis           y if the second is at y >= interface; not written for x\n"
-    "  k_x, k_y, rho_c          W/(m K), J/(m^3 K): of each material\n"
-    "  side_x_lo, side_x_hi, side_y_lo, side_y_hi\n"
+    "  interface_axis           y or z if the second is at y or z >= interface; not written for x\n"
+    "  k_x, k_y, k_z, rho_c     W/(m K), J/(m^3 K): of each material\n"
+    "  side_x_lo, side_x_hi, side_y_lo, side_y_hi, side_z_lo, side_z_hi\n"
     "                           dirichlet, K; neumann, W/m^2 into the body; robin, W/(m^2 K), K around: one value,\n"
-    "                           or nine evenly along the side; periodic: no wall, with no value\n"
+    "                           or nine evenly along the side (of a box: 3 x 3 from edge to edge, x before y before\n"
+    "                           z); periodic: no wall, with no value\n"
     "  side_r_hi, side_r_lo     the same for the outer wall and the hole of a round body; nine values are at the\n"
-    "                           angles 0, 45, ... 360 degrees\n"
+    "                           angles 0, 45, ... 360 degrees (of a ball: at z = 0)\n"
     "  source                   no; yes, a source constant in time; changing, a source that depends on time\n"
     "  t_end, dx, dt, fourier   s, m, s, 1; dt or fourier only if given\n"
     "  dy                       m, only if given: the spacing along y where it is not dx.  A program with one "
@@ -48,9 +46,9 @@ const char case_file_help[] =
 /* positions along a side at which a varying temperature or flux is given */
 enum { PLACES = 9 };
 
-static void write_pair(FILE *out, const char *key, const double *value, int count) {
-    fprintf(out, "%s = %.17g", key, value[0]);
-    if (count == 2) fprintf(out, ", %.17g", value[1]);
+static void write_list(FILE *out, const char *key, const double *value, int count) {
+    fprintf(out, "%s =", key);
+    for (int i = 0; i < count; i++) fprintf(out, "%s %.17g", i ? "," : "", value[i]);
     fputc('\n', out);
 }
 
@@ -67,50 +65,60 @@ static void write_params(const struct scene *s, const struct problem *p, const c
 }
 
 static void write_materials(const struct image *image, FILE *out) {
-    static const char *const axis[] = {"k_x", "k_y"};
+    static const char *const axis[] = {"k_x", "k_y", "k_z"};
     const struct problem *p = &image->problem;
     double value[MATERIAL_MAX];
     fprintf(out, "materials = %d\n", p->materials);
     if (p->materials == 2) fprintf(out, "interface = %.17g\n", p->interface);
-    if (p->materials == 2 && image->interface_axis == 1) fprintf(out, "interface_axis = y\n");
+    if (p->materials == 2 && image->interface_axis)
+        fprintf(out, "interface_axis = %c\n", "xyz"[image->interface_axis]);
     for (int a = 0; a < p->dim; a++) {
         for (int m = 0; m < p->materials; m++) value[m] = p->material[m].k[a];
-        write_pair(out, axis[a], value, p->materials);
+        write_list(out, axis[a], value, p->materials);
     }
     for (int m = 0; m < p->materials; m++) value[m] = p->material[m].rho_c;
-    write_pair(out, "rho_c", value, p->materials);
+    write_list(out, "rho_c", value, p->materials);
 }
 
-/* Position i of PLACES on a side: evenly spaced from its low to its high end, or around a round wall. */
-static void place_on_side(const struct problem *p, int s, int i, double x[2]) {
-    double part = (double)i / (PLACES - 1);
-    int along = 1 - s / 2;
-    if (p->shape) {
-        x[0] = p->radius[s] * cos(2 * M_PI * part), x[1] = p->radius[s] * sin(2 * M_PI * part);
-        return;
+/* Position `place` on a side in steps of 1/each of its extents, its first axis fastest; or around a round wall. */
+static void place_on_side(const struct problem *p, int s, int place, int each, double x[DIM_MAX]) {
+    double turn = 2 * M_PI * place / each;
+    x[0] = p->radius[s % 2] * cos(turn), x[1] = p->radius[s % 2] * sin(turn), x[2] = 0;
+    for (int a = 0; a < p->dim && !p->shape; a++) {
+        if (a == s / 2) {
+            x[a] = s % 2 ? p->hi[a] : p->lo[a];
+            continue;
+        }
+        x[a] = p->lo[a] + (p->hi[a] - p->lo[a]) * (place % (each + 1)) / each;
+        place /= each + 1;
     }
-    x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
-    x[along] = p->lo[along] + (p->hi[along] - p->lo[along]) * part;
+}
+
+static double value_on_side(const struct problem *p, int s, int place, int each) {
+    double x[DIM_MAX];
+    place_on_side(p, s, place, each, x);
+    return p->wall(p, (enum side)s, x, 0);
+}
+
+static int is_uniform(const struct problem *p, int s) {
+    int places = p->dim == 3 && !p->shape ? PLACES * PLACES : PLACES;
+    for (int i = 1; i < places; i++)
+        if (value_on_side(p, s, i, PLACES - 1) != value_on_side(p, s, 0, PLACES - 1)) return 0;
+    return 1;
 }
 
 /* Writes one value if the side is uniform, otherwise PLACES of them. */
 static void write_side(const struct problem *p, int s, FILE *out) {
     static const char *const kind[] = {
         [DIRICHLET] = "dirichlet", [NEUMANN] = "neumann", [ROBIN] = "robin", [PERIODIC] = "periodic"};
-    static const char *const plane[] = {"side_x_lo", "side_x_hi", "side_y_lo", "side_y_hi"};
+    static const char *const plane[] = {"side_x_lo", "side_x_hi", "side_y_lo", "side_y_hi", "side_z_lo", "side_z_hi"};
     static const char *const round[] = {"side_r_lo", "side_r_hi"};
-    double value[PLACES], x[2];
-    int count = 1;
     if (p->shape && !shape_has_wall(p, s)) return;
-    for (int i = 0; i < PLACES; i++) {
-        place_on_side(p, s, i, x);
-        value[i] = p->wall(p, (enum side)s, x, 0);
-        if (value[i] != value[0]) count = PLACES;
-    }
-    if (p->side[s] == PERIODIC) count = 0;
+    int count = p->side[s] == PERIODIC ? 0 : is_uniform(p, s) ? 1 : PLACES;
+    int each = p->dim == 3 && !p->shape ? 2 : PLACES - 1;
     fprintf(out, "%s = %s", (p->shape ? round : plane)[s], kind[p->side[s]]);
     if (p->side[s] == ROBIN) fprintf(out, ", %.17g", p->robin[s]);
-    for (int i = 0; i < count; i++) fprintf(out, ", %.17g", value[i]);
+    for (int i = 0; i < count; i++) fprintf(out, ", %.17g", value_on_side(p, s, i, each));
     fputc('\n', out);
 }
 
@@ -138,18 +146,17 @@ void case_file_write(const struct scene *s, const struct problem *of, const stru
     static const struct mapping none = {0};
     const struct mapping *m = extra->map ? extra->map : &none;
     struct image image;
+    double cells[DIM_MAX];
     mapping_image(m, of, &image);
     const struct problem *p = &image.problem;
     fprintf(out, "scene = %s\nlabel = %s\ndim = %d\n", s->name, extra->label, p->dim);
     write_params(s, p, "param_", " = ", "\n", out);
-    if (m->plane) fprintf(out, "axes = %s\n", mapping_planes[m->plane]);
     write_mapping(m, "", " = ", "\n", out);
-    write_pair(out, "lo", p->lo, p->dim);
-    write_pair(out, "hi", p->hi, p->dim);
+    write_list(out, "lo", p->lo, p->dim);
+    write_list(out, "hi", p->hi, p->dim);
     write_shape(p, out);
-    fprintf(out, "cells = %.0f", (p->hi[0] - p->lo[0]) / o->dx);
-    if (p->dim == 2) fprintf(out, ", %.0f", (p->hi[1] - p->lo[1]) / options_spacing(o, 1));
-    fputc('\n', out);
+    for (int a = 0; a < p->dim; a++) cells[a] = nearbyint((p->hi[a] - p->lo[a]) / options_spacing(o, a));
+    write_list(out, "cells", cells, p->dim);
     write_materials(&image, out);
     for (int side = 0; side < 2 * p->dim; side++) write_side(p, side, out);
     fprintf(out, "source = %s\nt_end = %.17g\ndx = %.17g\n",
@@ -168,9 +175,9 @@ void case_file_write(const struct scene *s, const struct problem *of, const stru
     fprintf(out, "\nthreads = %d\n", o->threads > 1 ? o->threads : 1);
 }
 
-static int divides(const struct problem *p, const double d[2]) {
+static int divides(const struct problem *p, const struct options *o) {
     for (int a = 0; a < p->dim; a++) {
-        double cells = (p->hi[a] - p->lo[a]) / d[a];
+        double cells = (p->hi[a] - p->lo[a]) / options_spacing(o, a);
         if (!(nearbyint(cells) >= 1 && fabs(cells - nearbyint(cells)) <= 1e-6 * cells)) return 0;
     }
     return 1;
@@ -180,7 +187,7 @@ static int divides(const struct problem *p, const double d[2]) {
 static int divides_by(const struct problem *p, const struct options *o, double count) {
     struct options with = *o;
     with.dx = (p->hi[0] - p->lo[0]) / count;
-    return divides(p, (double[2]){with.dx, options_spacing(&with, 1)});
+    return divides(p, &with);
 }
 
 int case_file_check(const struct problem *p, const struct options *o, struct failure *why) {

@@ -27,24 +27,25 @@ enum { MANY = 20000 };            /* points; for fewer, starting threads takes l
 struct boxes {
     const struct samples *s;
     const struct problem *p;
-    size_t count[2];
+    size_t count[DIM_MAX];
 };
 
 static double extent(const struct problem *p, int a) {
     return p->hi[a] - p->lo[a];
 }
 
-static double cells(const struct problem *p, int a, const double d[2]) {
+static double cells(const struct problem *p, int a, const double *d) {
     return fmax(1, nearbyint(extent(p, a) / d[a]));
 }
 
 /* The fewest points that a spacing dx requires: with N = extent / dx cells along an axis, the product over the axes
  * of the N - 1 nodes between the walls.  Cell centres are N, nodes with the walls N + 1, quadrature points more. */
-static size_t fewest_points(const struct problem *p, const double d[2]) {
+static size_t fewest_points(const struct problem *p, const double *d) {
     double n = 1;
-    if (p->shape) { /* a lattice has one point per dx^2, except for some along the walls */
-        double walls = 2 * M_PI * (p->radius[0] + p->radius[1]);
-        return (size_t)fmin(fmax(1, shape_volume(p) / (d[0] * d[0]) - walls / d[0]), 1e18);
+    if (p->shape) { /* a lattice has one point per dx^dim, except for some along the walls */
+        double R = p->radius[1], walls = p->dim == 3 ? 4 * M_PI * R * R : 2 * M_PI * (p->radius[0] + R);
+        double volume = p->dim == 3 ? walls * R / 3 : shape_volume(p);
+        return (size_t)fmin(fmax(1, volume / pow(d[0], p->dim) - walls / pow(d[0], p->dim - 1)), 1e18);
     }
     for (int a = 0; a < p->dim; a++) n *= fmax(1, cells(p, a, d) - 1);
     return (size_t)fmin(n, 1e18);
@@ -66,20 +67,24 @@ static int check_inside(const struct samples *s, const struct problem *p, struct
         size_t first = first_beyond(x, s->n, lo - away, hi + away);
         if (first < s->n)
             return refuse(why, STATUS_INPUT, "%.150s, line %ld: %c = %.9g m is outside %g to %g m", s->path,
-                          samples_line(s, first), "xy"[a], x[first], lo, hi);
+                          samples_line(s, first), "xyz"[a], x[first], lo, hi);
     }
     return STATUS_OK;
 }
 
 static int check_inside_shape(const struct samples *s, const struct problem *p, struct failure *why) {
-    const double *x = s->value[COLUMN_X], *y = s->value[COLUMN_Y];
     size_t first = s->n;
+    double x[DIM_MAX];
+    char third[24] = "";
 #pragma omp parallel for reduction(min : first) if (s->n >= MANY)
     for (size_t i = 0; i < s->n; i++)
-        if (!(shape_depth(p, (double[2]){x[i], y[i]}) >= -SLACK * p->radius[1])) first = i < first ? i : first;
+        if (!(shape_depth(p, samples_point(s, i, (double[DIM_MAX]){0})) >= -SLACK * p->radius[1]))
+            first = i < first ? i : first;
     if (first == s->n) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "%.150s, line %ld: (%.9g, %.9g) m is outside the %s", s->path,
-                  samples_line(s, first), x[first], y[first], p->shape->name);
+    samples_point(s, first, x);
+    if (p->dim == 3) snprintf(third, sizeof third, ", %.9g", x[2]);
+    return refuse(why, STATUS_INPUT, "%.150s, line %ld: (%.9g, %.9g%s) m is outside the %s", s->path,
+                  samples_line(s, first), x[0], x[1], third, p->shape->name);
 }
 
 static size_t box_along(const struct boxes *b, int a, double x) {
@@ -88,43 +93,43 @@ static size_t box_along(const struct boxes *b, int a, double x) {
 }
 
 static size_t box_of(const struct boxes *b, size_t i) {
-    size_t box = box_along(b, 0, b->s->value[COLUMN_X][i]);
-    if (b->p->dim == 2) box += b->count[0] * box_along(b, 1, b->s->value[COLUMN_Y][i]);
+    size_t box = 0;
+    for (int a = b->p->dim; a-- > 0;) box = box * b->count[a] + box_along(b, a, b->s->value[a][i]);
     return box;
 }
 
 static size_t all(const struct boxes *b) {
-    return b->count[0] * b->count[1];
+    return b->count[0] * b->count[1] * b->count[2];
 }
 
-static void bounds_of(const struct boxes *b, size_t box, double lo[2], double hi[2]) {
-    size_t at[2] = {box % b->count[0], box / b->count[0]};
-    for (int a = 0; a < 2; a++) {
+static void bounds_of(const struct boxes *b, size_t box, double lo[DIM_MAX], double hi[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) {
         double side = extent(b->p, a) / (double)b->count[a];
-        lo[a] = b->p->lo[a] + side * (double)at[a];
+        lo[a] = b->p->lo[a] + side * (double)(box % b->count[a]);
         hi[a] = lo[a] + side;
+        box /= b->count[a];
     }
 }
 
 /* Whether a round body contains the entire box. */
 static int is_whole(const struct boxes *b, size_t box) {
-    double lo[2], hi[2];
+    double lo[DIM_MAX], hi[DIM_MAX];
     bounds_of(b, box, lo, hi);
     return shape_clipped(b->p, lo, hi) >= (1 - SLACK) * (hi[0] - lo[0]) * (hi[1] - lo[1]);
 }
 
 static int refuse_gap(const struct boxes *b, size_t empty, struct failure *why) {
     char where[128] = "";
-    double lo[2], hi[2];
+    double lo[DIM_MAX], hi[DIM_MAX];
     bounds_of(b, empty, lo, hi);
     for (int a = 0; a < b->p->dim; a++)
-        words_add(where, sizeof where, "%s%.4g <= %c <= %.4g m", a ? ", " : "", lo[a], "xy"[a], hi[a]);
+        words_add(where, sizeof where, "%s%.4g <= %c <= %.4g m", a ? ", " : "", lo[a], "xyz"[a], hi[a]);
     return refuse(why, STATUS_INPUT, "%.150s: no point in %s: the field must cover the whole domain", b->s->path,
                   where);
 }
 
-static int check_gaps(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
-    struct boxes b = {s, p, {1, 1}};
+static int check_gaps(const struct samples *s, const struct problem *p, const double *d, struct failure *why) {
+    struct boxes b = {s, p, {1, 1, 1}};
     for (int a = 0; a < p->dim; a++) {
         double g = pow(p->dim * log(cells(p, a, d)) + 6, 1.0 / p->dim);
         double side = fmax(2 * d[a], fmin(g * d[a], extent(p, a) / 4));
@@ -147,7 +152,7 @@ static int check_gaps(const struct samples *s, const struct problem *p, const do
 /* ---- Duplicate points ---- */
 
 struct place {
-    double x[2];
+    double x[DIM_MAX];
     size_t i; /* index of the sample */
 };
 
@@ -163,11 +168,11 @@ static int by_y(const void *a, const void *b) {
 
 /* Finds a pair of equal points among n of a column and puts their indices into *first < *second; 0 if there is
  * none. */
-static int find_pair(struct place *at, size_t n, const double away[2], size_t *first, size_t *second) {
+static int find_pair(struct place *at, size_t n, const double *away, size_t *first, size_t *second) {
     qsort(at, n, sizeof *at, by_y);
     for (size_t i = 0; i < n; i++)
         for (size_t j = i + 1; j < n && at[j].x[1] - at[i].x[1] <= away[1]; j++) {
-            if (!(fabs(at[j].x[0] - at[i].x[0]) <= away[0])) continue;
+            if (!(fabs(at[j].x[0] - at[i].x[0]) <= away[0] && fabs(at[j].x[2] - at[i].x[2]) <= away[2])) continue;
             *first = at[i].i < at[j].i ? at[i].i : at[j].i;
             *second = at[i].i < at[j].i ? at[j].i : at[i].i;
             return 1;
@@ -177,12 +182,11 @@ static int find_pair(struct place *at, size_t n, const double away[2], size_t *f
 
 /* After sorting along x, the points fall into columns separated by gaps wider than the tolerance. */
 int coverage_check_once(const struct samples *s, const struct problem *p, struct failure *why) {
-    const double away[2] = {SLACK * extent(p, 0), p->dim == 2 ? SLACK * extent(p, 1) : 0};
+    const double away[DIM_MAX] = {SLACK * extent(p, 0), SLACK * extent(p, 1), SLACK * extent(p, 2)};
     struct place *at = xcalloc(s->n, sizeof *at);
     size_t first, second, end;
     int found = 0;
-    for (size_t i = 0; i < s->n; i++)
-        at[i] = (struct place){{s->value[COLUMN_X][i], p->dim == 2 ? s->value[COLUMN_Y][i] : 0}, i};
+    for (size_t i = 0; i < s->n; i++) samples_point(s, i, at[i].x), at[i].i = i;
     qsort(at, s->n, sizeof *at, by_x);
     for (size_t start = 0; start < s->n && !found; start = end) {
         for (end = start + 1; end < s->n && at[end].x[0] - at[end - 1].x[0] <= away[0]; end++) continue;
@@ -195,7 +199,7 @@ int coverage_check_once(const struct samples *s, const struct problem *p, struct
                   p->dim == 1 ? "; a rod has one row of points" : "");
 }
 
-int coverage_check(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
+int coverage_check(const struct samples *s, const struct problem *p, const double *d, struct failure *why) {
     size_t fewest = fewest_points(p, d);
     if (check_inside(s, p, why) || (p->shape && check_inside_shape(s, p, why))) return STATUS_INPUT;
     if (s->n < fewest)

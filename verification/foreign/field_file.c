@@ -12,6 +12,19 @@
 #include <math.h>
 #include <string.h>
 
+/* A code in three dimensions that computes a plane as a thin box answers with one layer. */
+static int check_layer(const struct samples *s, struct failure *why) {
+    const double *z = s->value[COLUMN_Z];
+    for (size_t i = 1; i < s->n && s->dim == 2 && z; i++)
+        if (z[i] != z[0])
+            return refuse(
+                why, STATUS_INPUT,
+                "%.150s, line %ld: z = %.9g m, but %.9g m above: the case is in the plane; answer x,y,T with "
+                "one layer of the body",
+                s->path, samples_line(s, i), z[i], z[0]);
+    return STATUS_OK;
+}
+
 int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
                        struct failure *why) {
     char start[64];
@@ -23,6 +36,7 @@ int field_file_samples(const char *path, const char *name, int dim, const struct
     int status = (npy_file_is(start, n) ? npy_file_read : table_file_read)(in, c, s, why);
     if (!status && ferror(in)) status = refuse(why, STATUS_INPUT, "%.200s: could not be read to its end", name);
     fclose(in);
+    if (!status) status = check_layer(s, why);
     if (status) samples_free(s);
     return status;
 }
@@ -64,12 +78,13 @@ static void hand_over(struct samples *s, const struct problem *p, struct field *
     double coldest = HUGE_VAL, hottest = -HUGE_VAL;
 #pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (s->n >= MANY)
     for (size_t i = 0; i < s->n; i++) {
-        double x[2] = {s->value[COLUMN_X][i], s->dim == 2 ? s->value[COLUMN_Y][i] : 0}, start = p->initial(p, x);
+        double x[DIM_MAX], start = p->initial(p, samples_point(s, i, x));
         coldest = fmin(coldest, start), hottest = fmax(hottest, start);
     }
     *f = (struct field){.dim = s->dim, .n = s->n, .range = {coldest, hottest}, .heat = {NAN, NAN}};
-    f->x = s->value[COLUMN_X], f->y = s->value[COLUMN_Y], f->T = s->value[COLUMN_T], f->weight = s->value[COLUMN_W];
-    for (int k = 0; k < COLUMN_COUNT; k++) s->value[k] = NULL;
+    double **const to[COLUMN_COUNT] = {&f->x, &f->y, &f->z, &f->T, &f->weight};
+    for (int k = 0; k < COLUMN_COUNT; k++)
+        if (k < s->dim || k >= COLUMN_T) *to[k] = s->value[k], s->value[k] = NULL;
     f->time = p->t_end;
     f->cost.step_seconds = s->seconds;
     f->steps = whole(s->steps);
@@ -79,7 +94,7 @@ static void hand_over(struct samples *s, const struct problem *p, struct field *
 }
 
 int field_file_read(const char *path, const char *name, const struct column_map *c, const struct problem *p,
-                    const double d[2], struct field *f, struct failure *why) {
+                    const double *d, struct field *f, struct failure *why) {
     struct samples s;
     if (field_file_samples(path, name, p->dim, c, &s, why)) return why->status;
     int status = coverage_check(&s, p, d, why);

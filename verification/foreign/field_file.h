@@ -14,9 +14,9 @@ struct samples;
 int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
                        struct failure *why);
 
-/* The field, checked (coverage.h) against dx and dy, m.  If STATUS_OK, the caller owns *f, with step_seconds as
- * reported by the program, NaN if not reported. */
+/* The field, checked (coverage.h) against the spacings d by axis, m.  If STATUS_OK, the caller owns *f, with
+ * step_seconds as reported by the program, NaN if not reported. */
 int field_file_read(const char *path, const char *name, const struct column_map *c, const struct problem *p,
-                    const double d[2], struct field *f, struct failure *why);
+                    const double *d, struct field *f, struct failure *why);
 
 #endif

@@ -12,8 +12,8 @@ struct column_map;
 struct failure;
 struct samples;
 
-/* NumPy's .npy, little-endian numbers of 8 or 4 bytes: an array of n rows with the columns x, T (x, y, T for a
- * rectangle) and optionally w; or a structured array with named fields. */
+/* NumPy's .npy, little-endian numbers of 8 or 4 bytes: an array of n rows with the columns x, T (x, y, T in
+ * the plane, x, y, z, T in space) and optionally w; or a structured array with named fields. */
 int npy_file_is(const char *start, size_t size);
 int npy_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
 

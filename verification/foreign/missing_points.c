@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A missing point barely changes a mean.  If the other points form a lattice, its position is known:
  *
- *   rows and columns    There are nx distinct x and ny distinct y, and at least 95 of 100 positions of the
- *                       nx x ny lattice have a point.  Fewer do not form a lattice: eight-node elements fill
- *                       three quarters.  A corner may be missing, as in many codes.
+ *   rows and columns    There are nx distinct x and ny distinct y (and nz distinct z), and at least 95 of 100
+ *                       positions of the nx x ny (x nz) lattice have a point.  Fewer do not form a lattice:
+ *                       eight-node elements fill three quarters.  Places on two walls, a corner of a rectangle or
+ *                       an edge of a box, may be missing, as in many codes.
  *   equal spacing h     One gap of 2 h, 3 h, ... is next to two of h; or the gap from a wall to the first of
  *                       three points exceeds 5/4 h while the case has more cells than there are points.
  *                       Graded spacings have several wide gaps in a row.  Two layers may have no point on
@@ -13,6 +14,7 @@
 #include "solver/problem.h"
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
+#include "verification/text/words.h"
 
 #include <gsl/gsl_interp.h>
 #include <gsl/gsl_sort_double.h>
@@ -42,7 +44,7 @@ static int is_regular(const double *x, double h) {
 
 static int refuse_gap(const struct samples *s, int a, double at, struct failure *why) {
     return refuse(why, STATUS_INPUT, "%.150s: a point is missing at %c = %.6g m, between others at equal distances",
-                  s->path, "xy"[a], at);
+                  s->path, "xyz"[a], at);
 }
 
 /* Refuses a gap among n coordinates along an axis that are otherwise equidistant; d is the spacing of the case. */
@@ -72,42 +74,54 @@ static int on_wall(const struct problem *p, int a, double x) {
     return fabs(x - p->lo[a]) <= away || fabs(x - p->hi[a]) <= away;
 }
 
-/* Refuses a position of the nx x ny lattice without a point. */
-static int check_places(const struct samples *s, const struct problem *p, double *const x[2], const size_t n[2],
-                        struct failure *why) {
-    unsigned char *has = xcalloc(n[0] * n[1], 1);
-    size_t missing = 0, first = 0;
+/* The coordinates of a position of the lattice; returns the number of walls that it is on. */
+static int place(const struct problem *p, double *const x[DIM_MAX], const size_t n[DIM_MAX], size_t c,
+                 double at[DIM_MAX]) {
+    int walls = 0;
+    for (int a = 0; a < p->dim; c /= n[a++]) {
+        at[a] = x[a][c % n[a]];
+        walls += on_wall(p, a, at[a]);
+    }
+    return walls;
+}
+
+/* Refuses a position of the lattice without a point. */
+static int check_places(const struct samples *s, const struct problem *p, double *const x[DIM_MAX],
+                        const size_t n[DIM_MAX], struct failure *why) {
+    size_t all = n[0] * n[1] * n[2], missing = 0, first = 0;
+    unsigned char *has = xcalloc(all, 1);
+    double at[DIM_MAX];
+    char layers[30] = "", where[100] = "";
     for (size_t i = 0; i < s->n; i++) {
-        size_t at[2];
-        for (int a = 0; a < 2; a++) at[a] = gsl_interp_bsearch(x[a], s->value[a][i], 0, n[a]);
-        has[at[1] * n[0] + at[0]] = 1;
+        size_t c = 0;
+        for (int a = p->dim; a-- > 0;) c = c * n[a] + gsl_interp_bsearch(x[a], s->value[a][i], 0, n[a]);
+        has[c] = 1;
     }
-    for (size_t c = n[0] * n[1]; c-- > 0;) {
-        if (has[c] || (on_wall(p, 0, x[0][c % n[0]]) && on_wall(p, 1, x[1][c / n[0]]))) continue;
-        missing++, first = c;
-    }
+    for (size_t c = all; c-- > 0;)
+        if (!has[c] && place(p, x, n, c, at) < 2) missing++, first = c;
     free(has);
     if (!missing) return STATUS_OK;
-    return refuse(why, STATUS_INPUT,
-                  "%.150s: %zu point%s missing from %zu columns by %zu rows, at x = %.6g, y = %.6g m%s", s->path,
-                  missing, missing == 1 ? " is" : "s are", n[0], n[1], x[0][first % n[0]], x[1][first / n[0]],
+    place(p, x, n, first, at);
+    if (p->dim == 3) snprintf(layers, sizeof layers, " by %zu layers", n[2]);
+    for (int a = 0; a < p->dim; a++) words_add(where, sizeof where, "%s%c = %.6g", a ? ", " : "", "xyz"[a], at[a]);
+    return refuse(why, STATUS_INPUT, "%.150s: %zu point%s missing from %zu columns by %zu rows%s, at %s m%s", s->path,
+                  missing, missing == 1 ? " is" : "s are", n[0], n[1], layers, where,
                   missing == 1 ? "" : " and elsewhere");
 }
 
-int missing_points_check(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
-    double *x[2] = {NULL, NULL};
-    size_t n[2] = {1, 1};
+int missing_points_check(const struct samples *s, const struct problem *p, const double *d, struct failure *why) {
+    double *x[DIM_MAX] = {NULL};
+    size_t n[DIM_MAX] = {1, 1, 1};
     int status = STATUS_OK;
     if (s->n > MOST) return STATUS_OK;
     for (int a = 0; a < p->dim; a++) {
         x[a] = xcalloc(s->n, sizeof *x[a]);
         n[a] = distinct(s, p, a, x[a]);
     }
-    if ((double)s->n >= FULL * (double)n[0] * (double)n[1]) {
-        if (p->dim == 2) status = check_places(s, p, x, n, why);
+    if ((double)s->n >= FULL * (double)n[0] * (double)n[1] * (double)n[2]) {
+        if (p->dim > 1) status = check_places(s, p, x, n, why);
         for (int a = 0; a < p->dim && !status; a++) status = check_axis(s, p, a, x[a], n[a], d[a], why);
     }
-    free(x[0]);
-    free(x[1]);
+    for (int a = 0; a < p->dim; a++) free(x[a]);
     return status;
 }

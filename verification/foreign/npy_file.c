@@ -59,22 +59,29 @@ static int read_fields(const char *at, const struct column_map *c, const struct 
     return STATUS_OK;
 }
 
-/* The columns are x, y, T and w in this order, or as --columns assigns them.  Three columns for a rod are ambiguous:
- * x, T, w or x, y, T. */
+/* The columns are the coordinates, T and w in this order, or as --columns assigns them.  One more than the
+ * coordinates of a rod or plane and T is ambiguous: w, or another coordinate. */
 static int read_columns(size_t columns, int bytes, const struct column_map *c, const struct samples *s,
                         struct layout *l, struct failure *why) {
     size_t least = (size_t)s->dim + 1, next = 0;
     if (!c->text && columns == 3 && s->dim == 1)
         return wrong(s, why, "3 columns for a rod: x, T, w or x, y, T? --columns x=1,T=2,w=3 names their places");
+    if (!c->text && columns == 4 && s->dim == 2)
+        return wrong(
+            s, why, "4 columns in the plane: x, y, T, w or x, y, z, T? --columns x=1,y=2,T=3,w=4 names their places");
     if (!c->text && columns != least && columns != least + 1)
-        return refuse(why, STATUS_INPUT, "%.150s: %zu columns; it needs x%s, T and, for weighted points, w", s->path,
-                      columns, s->dim == 2 ? ", y" : "");
+        return refuse(why, STATUS_INPUT, "%.150s: %zu columns; it needs %s, T and, for weighted points, w", s->path,
+                      columns,
+                      s->dim == 3   ? "x, y, z"
+                      : s->dim == 2 ? "x, y"
+                                    : "x");
     for (int k = 0; k < COLUMN_COUNT; k++) {
         long place = 0;
-        if (k == COLUMN_Y && s->dim == 1) continue;
+        int needed = samples_needs(s->dim, k) || k == COLUMN_W;
+        if (!needed && (s->dim == 1 || !c->name[k][0])) continue;
         if (!c->name[k][0])
             place = k == COLUMN_W && c->text ? 0 : (long)++next;
-        else if (number_read_whole(c->name[k], (long)columns, &place))
+        else if (number_read_whole(c->name[k], (long)columns, &place) && needed)
             return refuse(why, STATUS_INPUT, "%.120s: no field '%s': an array of %zu columns has places, 1 to %zu",
                           s->path, c->name[k], columns, columns);
         if (place < 1 || (size_t)place > columns) continue;
@@ -100,11 +107,11 @@ static int read_layout(const char *header, const struct column_map *c, const str
     else
         status = wrong(s, why, "not n rows of two or more columns '<f8' or '<f4', nor of named fields");
     for (int k = 0; !status && k < COLUMN_COUNT; k++) {
-        int wanted = k == COLUMN_X || k == COLUMN_T || (k == COLUMN_Y && s->dim == 2) || c->name[k][0];
-        if (wanted && !l->bytes[k])
+        int needed = samples_needs(s->dim, k) || (k == COLUMN_W && c->name[k][0]);
+        if (needed && !l->bytes[k])
             status = refuse(why, STATUS_INPUT, "%.150s: no field '%s'", s->path, samples_column_name(c, k));
     }
-    if (s->dim == 1) l->bytes[COLUMN_Y] = 0;
+    if (s->dim == 1) l->bytes[COLUMN_Y] = l->bytes[COLUMN_Z] = 0;
     return status;
 }
 

@@ -35,9 +35,9 @@ const char program_help[] =
     "Its output goes to standard error.  Child processes are ended too, unless they called setsid; its files in\n"
     "TMPDIR are removed.\n"
     "\n"
-    "The answer is a table: the line x,T (x,y,T for a rectangle), then one line for each point, separated by\n"
-    "commas, semicolons or blanks.  The program chooses its points: they cover the domain at a spacing of dx.\n"
-    "A column w holds the weights of the norms; without it all points have the same weight.\n"
+    "The answer is a table: the line x,T (x,y,T in the plane, x,y,z,T in space), then one line for each point,\n"
+    "separated by commas, semicolons or blanks.  The program chooses its points: they cover the domain at a\n"
+    "spacing of dx.  A column w holds the weights of the norms; without it all points have the same weight.\n"
     "--columns 'x=X,y=Y,T=temp,w=volume' gives the names of the columns, or their numbers (T=3).  NumPy's .npy\n"
     "is read too (these columns, or named fields).  The lines `# seconds = S`, `# steps = N` and `# updates = N`\n"
     "of a table may give the time, steps and updates of the solve alone.\n"
@@ -49,13 +49,14 @@ const char program_help[] =
 /* Maps points and temperatures to other axes and units with mapping_to_scene and mapping_temperature_back, or
  * back. */
 static void map_points(const struct mapping *m, struct field *f,
-                       void (*place)(const struct mapping *m, int dim, const double from[2], double to[2]),
+                       void (*place)(const struct mapping *m, int dim, const double *from, double to[DIM_MAX]),
                        double (*temperature)(const struct mapping *m, double T)) {
+    double *const by_axis[DIM_MAX] = {f->x, f->y, f->z};
     for (size_t i = 0; i < f->n; i++) {
-        double x[2] = {f->x[i], f->dim == 2 ? f->y[i] : 0}, at[2];
+        double x[DIM_MAX], at[DIM_MAX];
+        for (int a = 0; a < f->dim; a++) x[a] = by_axis[a][i];
         place(m, f->dim, x, at);
-        f->x[i] = at[0];
-        if (f->dim == 2) f->y[i] = at[1];
+        for (int a = 0; a < f->dim; a++) by_axis[a][i] = at[a];
         f->T[i] = temperature(m, f->T[i]);
     }
 }
@@ -67,7 +68,7 @@ static double *copy_of(const double *value, size_t n) {
 struct field program_as_given(const struct program *g, const struct field *f, double *exact) {
     const struct mapping *m = &g->map;
     struct field copy = *f;
-    copy.x = copy_of(f->x, f->n), copy.y = copy_of(f->y, f->n);
+    copy.x = copy_of(f->x, f->n), copy.y = copy_of(f->y, f->n), copy.z = copy_of(f->z, f->n);
     copy.T = copy_of(f->T, f->n), copy.weight = copy_of(f->weight, f->n);
     if (mapping_is_none(m)) return copy;
     map_points(m, &copy, mapping_to_case, mapping_temperature);
@@ -78,7 +79,7 @@ struct field program_as_given(const struct program *g, const struct field *f, do
 /* Reads the answer at `path`, which messages call `name`, and checks it against the case. */
 static int read_answer(const struct program *g, const char *path, const char *name, const struct problem *p,
                        const struct options *o, struct field *f, struct failure *why) {
-    const double d[2] = {o->dx, options_spacing(o, 1)};
+    const double d[DIM_MAX] = {o->dx, options_spacing(o, 1), o->dx};
     struct image image;
     mapping_image(&g->map, p, &image);
     if (field_file_read(path, name, &g->columns, &image.problem, d, f, why)) return why->status;

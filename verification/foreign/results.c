@@ -68,7 +68,6 @@ int results_setting(const struct scene *s, const struct problem *p, unsigned lon
     if (aspect > 0 && append(text, "aspect", value)) return -1;
     mapping_print(map, value);
     if (map->axes && append(text, "map", value)) return -1;
-    if (map->plane && append(text, "axes", mapping_planes[map->plane])) return -1;
     results_number(map->scale, value);
     if (map->scale > 0 && append(text, "scale", value)) return -1;
     results_number(map->offset, value);
@@ -133,14 +132,10 @@ static int read_mapping(const char *path, const char *text, struct results_known
     if (!bad && case_file_value(text, "scale", value, sizeof value) == 0)
         bad = number_read(value, &map.scale) || !(map.scale > 0);
     if (!bad && case_file_value(text, "offset", value, sizeof value) == 0) bad = number_read(value, &map.offset);
-    if (!bad && case_file_value(text, "axes", value, sizeof value) == 0)
-        bad = (map.plane = words_index(mapping_planes, value)) < 0;
-    if (bad) return refuse(why, STATUS_INPUT, "%.300s: map, axes, scale or offset = %.40s is none", path, value);
+    if (bad) return refuse(why, STATUS_INPUT, "%.300s: map, scale or offset = %.40s is none", path, value);
     if (known->mapped && !mapping_same(&map, known->map))
         return refuse(why, STATUS_INPUT,
-                      "%.300s: map, axes, scale or offset differ in other cases, or from --map, --axes, --scale, "
-                      "--offset",
-                      path);
+                      "%.300s: map, scale or offset differ in other cases, or from --map, --scale, --offset", path);
     known->mapped = 1;
     *known->map = map;
     return STATUS_OK;

@@ -4,6 +4,7 @@
 
 #include "solver/status.h"
 #include "verification/text/number.h"
+#include "verification/text/words.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -14,10 +15,20 @@
 #include <unistd.h>
 
 static const off_t MOST = 2000000000; /* bytes of an answer: about 3e7 points of 17 digits */
-static const char *const names[COLUMN_COUNT] = {"x", "y", "T", "w"};
+static const char *const names[COLUMN_COUNT] = {"x", "y", "z", "T", "w"};
 
 const char *samples_column_name(const struct column_map *c, int column) {
     return c->name[column][0] ? c->name[column] : names[column];
+}
+
+int samples_needs(int dim, int column) {
+    return column < dim || column == COLUMN_T;
+}
+
+void samples_header(const struct column_map *c, int dim, char text[SAMPLES_HEADER]) {
+    *text = '\0';
+    for (int k = 0; k < COLUMN_COUNT; k++)
+        if (samples_needs(dim, k)) words_add(text, SAMPLES_HEADER, "%s%s", k ? "," : "", samples_column_name(c, k));
 }
 
 static int read_one(const char *text, size_t length, struct column_map *c, struct failure *why) {
@@ -31,7 +42,7 @@ static int read_one(const char *text, size_t length, struct column_map *c, struc
         return STATUS_OK;
     }
     return refuse(why, STATUS_INPUT,
-                  "--columns '%.60s': must be of x=NAME, y=NAME, T=NAME, w=NAME, with commas between", text);
+                  "--columns '%.60s': must be of x=NAME, y=NAME, z=NAME, T=NAME, w=NAME, with commas between", text);
 }
 
 int samples_columns_read(const char *map, struct column_map *c, struct failure *why) {
@@ -54,6 +65,11 @@ void samples_reserve(struct samples *s, size_t room) {
     for (int k = 0; k < COLUMN_COUNT; k++)
         if (s->has[k]) s->value[k] = xcalloc(room, sizeof *s->value[k]);
     s->room = room;
+}
+
+const double *samples_point(const struct samples *s, size_t i, double x[3]) {
+    for (int a = 0; a < 3; a++) x[a] = a < s->dim ? s->value[a][i] : 0;
+    return x;
 }
 
 long samples_line(const struct samples *s, size_t i) {

@@ -9,17 +9,24 @@
 
 struct failure;
 
-enum { COLUMN_X, COLUMN_Y, COLUMN_T, COLUMN_W, COLUMN_COUNT, COLUMN_NAME = 64 };
+enum { COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_T, COLUMN_W, COLUMN_COUNT, COLUMN_NAME = 64 };
 
-/* Names of x, y, T and w in the file; "" for the name itself. */
+/* Names of x, y, z, T and w in the file; "" for the name itself. */
 struct column_map {
     char name[COLUMN_COUNT][COLUMN_NAME];
     const char *text; /* as typed; NULL if not given */
 };
 
-/* Parses 'x=X,y=Y,T=temp,w=volume', each at most once; a number is the position of a column, from 1. */
+/* Parses 'x=X,y=Y,z=Z,T=temp,w=volume', each at most once; a number is the position of a column, from 1. */
 int samples_columns_read(const char *map, struct column_map *c, struct failure *why);
 const char *samples_column_name(const struct column_map *c, int column);
+
+/* 1 for a column that points with that many coordinates have: T and their coordinates. */
+int samples_needs(int dim, int column);
+
+/* Their names, separated by commas. */
+enum { SAMPLES_HEADER = 4 * COLUMN_NAME + 8 };
+void samples_header(const struct column_map *c, int dim, char text[SAMPLES_HEADER]);
 
 struct samples {      /* arrays are owned; release with samples_free */
     const char *path; /* name of the file in messages */
@@ -34,6 +41,8 @@ struct samples {      /* arrays are owned; release with samples_free */
 void samples_free(struct samples *s);
 void samples_grow(struct samples *s);                 /* doubles the capacity */
 void samples_reserve(struct samples *s, size_t room); /* for an empty *s with one point per line */
+/* The coordinates of point i, 0 past dim; returns x. */
+const double *samples_point(const struct samples *s, size_t i, double x[3]);
 long samples_line(const struct samples *s, size_t i); /* line of point i in the file, from 1 */
 
 /* Stores the value of one cell, or refuses it with path, line and column. */

@@ -138,11 +138,8 @@ static int find(const struct reader *t, const char *name) {
 }
 
 static int refuse_header(const struct reader *t, struct failure *why) {
-    char header[3 * COLUMN_NAME + 8], quoted[48];
-    const struct column_map *c = t->wanted;
-    int plane = t->s->dim == 2;
-    snprintf(header, sizeof header, "%s,%s%s%s", samples_column_name(c, COLUMN_X),
-             plane ? samples_column_name(c, COLUMN_Y) : "", plane ? "," : "", samples_column_name(c, COLUMN_T));
+    char header[SAMPLES_HEADER], quoted[48];
+    samples_header(t->wanted, t->s->dim, header);
     samples_quote(t->text, strlen(t->text), quoted);
     return refuse(why, STATUS_INPUT,
                   "%.120s, line %ld: '%s' should be the header %s, or --columns name the columns (x=NAME,T=NAME; a "
@@ -150,29 +147,31 @@ static int refuse_header(const struct reader *t, struct failure *why) {
                   t->s->path, t->line, quoted, header);
 }
 
-/* Locates x, y, T and w. w may be missing unless it was named. */
+/* Locates the coordinates, T and w. w may be missing unless it was named; a rod's y and z are skipped, and the z of a
+ * plane may exist. */
 static int locate(struct reader *t, struct failure *why) {
     for (int k = 0; k < COLUMN_COUNT; k++) {
-        int used = k != COLUMN_Y || t->s->dim == 2, optional = k == COLUMN_W && !t->wanted->name[k][0];
+        int needed = samples_needs(t->s->dim, k) || (k == COLUMN_W && t->wanted->name[k][0]);
+        int used = needed || k == COLUMN_W || t->s->dim > 1;
         const char *name = samples_column_name(t->wanted, k);
         t->place[k] = used ? find(t, name) : -1;
         if (t->place[k] == -2)
             return refuse(why, STATUS_INPUT, "%.150s, line %ld: two columns are called '%s'", t->s->path, t->line,
                           name);
-        if (used && t->place[k] < 0 && !optional) return refuse_header(t, why);
+        if (needed && t->place[k] < 0) return refuse_header(t, why);
         t->s->has[k] = t->place[k] >= 0;
     }
     t->width = t->cells;
     return STATUS_OK;
 }
 
-/* Whether the text names x, y and T and has as many columns as a point; t->cell is then split from it. */
+/* Whether the text names the coordinates and T and has as many columns as a point; t->cell is then split from it. */
 static int is_header(struct reader *t, const char *text, int columns) {
     struct failure ignored;
     t->separator = separator_of(text);
     if (split(t, text, &ignored) || t->cells != columns) return 0;
-    for (int k = COLUMN_X; k <= COLUMN_T; k++)
-        if ((k != COLUMN_Y || t->s->dim == 2) && find(t, samples_column_name(t->wanted, k)) < 0) return 0;
+    for (int k = 0; k < COLUMN_COUNT; k++)
+        if (samples_needs(t->s->dim, k) && find(t, samples_column_name(t->wanted, k)) < 0) return 0;
     return 1;
 }
 

@@ -10,9 +10,8 @@
 
 #include "verification/gates/gates.h"
 
-/* Codes with other rows: PROFILE_ALL has all rows except slab/...; particles without walls have periodic/... only;
- * three-dimensional codes have all. */
-enum profile { PROFILE_ALL, PROFILE_PARTICLES, PROFILE_SLABS };
+/* Particles without walls have the rows periodic/... only. */
+enum profile { PROFILE_ALL, PROFILE_PARTICLES };
 extern const char *const battery_profile_words[]; /* ended by NULL */
 
 struct battery_row {
@@ -23,7 +22,8 @@ struct battery_row {
     const char *rungs;  /* further options */
     const char *ranges; /* ranges for random draws: NAME=LO:HI of the scene's parameters, offset=LO:HI in K of the
                            scene, and `cross`: the image is that of the scene's other rows with x and y exchanged and
-                           both reversed (for a rod: reversed), so that one draw covers both orientations */
+                           both reversed (a rod: reversed; a box: each axis moved to the next and reversed), so that
+                           one draw covers both orientations */
     int line;           /* line of battery.def with the row's bounds */
     const char *why;
 };

@@ -29,12 +29,14 @@ static double between(gsl_rng *r, double lo, double hi) {
     return strtod(text, NULL);
 }
 
-/* Draws one of two images of a rod, or one of eight of a rectangle. */
+/* Draws one of 2 images of a rod, 8 of a rectangle or 48 of a box. */
 static struct mapping draw_map(unsigned long seed, const char *scene, int dim, int cross) {
     gsl_rng *r = generator(seed, scene, "");
     struct mapping m = {.axes = dim};
     for (int a = 0; a < dim; a++) m.against[a] = (int)gsl_rng_uniform_int(r, 2) != cross;
-    if (dim == 2) m.swap = (int)gsl_rng_uniform_int(r, 2) != cross;
+    int turn = dim == 2 ? (int)gsl_rng_uniform_int(r, 2) != cross : 0, back = 0;
+    if (dim == 3) turn = (int)gsl_rng_uniform_int(r, 3) + cross, back = (int)gsl_rng_uniform_int(r, 2);
+    for (int a = 0; a < dim; a++) m.from[a] = (turn + (back ? dim - a : a)) % dim;
     gsl_rng_free(r);
     return m;
 }

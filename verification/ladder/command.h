@@ -30,7 +30,7 @@ struct command {
     struct experiment experiment; /* scene and method: NULL where the command takes none.  dx, dt and fourier are the
                                      first of the lists in `rungs` */
     struct ladder_rungs rungs;
-    struct numbers at;        /* m: x, or x and y */
+    struct numbers at;        /* m: a number for each axis */
     struct numbers time;      /* s */
     int times;                /* > 1: so many, evenly from time.value[0] to [1]; 0: those of `time` */
     struct numbers origin;    /* dx: of the lattice of a round body */

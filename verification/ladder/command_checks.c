@@ -50,6 +50,11 @@ struct rule {
     const char *reason, *take;
 };
 
+/* By dimension; 0: no scene. */
+static const char *const points[] = {"X or X,Y or X,Y,Z", "X", "X,Y", "X,Y,Z"};
+static const char *const axes[] = {"", "the scene has x alone", "the scene has x and y", "the scene has x, y and z"};
+static const char *const maps[] = {"", "x or -x", "x,y or y,-x and the like", "z,-x,y and the like"};
+
 int command_check(const struct command *c, struct failure *why) {
     const struct experiment *e = &c->experiment;
     const struct options *o = &e->options;
@@ -71,20 +76,15 @@ int command_check(const struct command *c, struct failure *why) {
          "these particles do not move", "--layout jitter or relaxed"},
         {o->sweeps > 0 && o->layout != LAYOUT_RELAXED, "sweeps", "these particles do not settle", "--layout relaxed"},
         {o->xi > 0 && o->volume != VOLUME_TUNED, "xi", "this volume has no parameter", "--volume tuned"},
-        {at->count > DIM_MAX || (at->count && scene && at->count != p->dim), "at", "the point has as many numbers as axes",
-         !scene  ? "X or X,Y"
-         : plane ? "X,Y"
-                 : "X"},
+        {at->count > DIM_MAX || (at->count && scene && at->count != p->dim), "at",
+         "the point has as many numbers as axes", points[p->dim]},
         {c->rungs.fine > 0 && !(dt->count > 1 && c->rungs.fine < least), "fine",
          "it is finer than each of several --dt", "--dt A,B,C with larger steps"},
         {c->rungs.fine > 0 && ours, "fine", "the limit of the particles' equations in time is known", "no --fine"},
         {expect->count && !(expect->count == 2 && expect->value[0] < expect->value[1]), "expect", "a band is LO < HI",
          "LO,HI such as 1.9,2.1"},
-        {o->aspect > 0 && (!plane || round), "aspect", "the scene has no rows of cells along y",
-         "a scene on a rectangle"},
-        {map->plane && !plane, "axes", "the scene is a rod along x", "a scene in the plane"},
-        {map->axes && map->axes != p->dim, "map", plane ? "the scene has x and y" : "the scene has x alone",
-         plane ? "x,y or y,-x and the like" : "x or -x"},
+        {o->aspect > 0 && (!plane || round), "aspect", "the scene is no rectangle", "a scene on a rectangle"},
+        {map->axes && map->axes != p->dim, "map", axes[p->dim], maps[p->dim]},
         {c->origin.count > 0 && c->origin.count != p->dim, "origin", "it is a point",
          p->dim == 3 ? "X,Y,Z, in dx" : "X,Y, in dx"},
         {round && command_given(c, "shift"), "shift", "it is for plane walls, the scene is round",

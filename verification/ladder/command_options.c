@@ -95,7 +95,7 @@ static int read_map(void *options, const struct option *o, const char *text, str
     if (mapping_read(text, &c->experiment.program.map) == 0) return STATUS_OK;
     return refuse(why, STATUS_INPUT,
                   "--%s '%.60s': must name each axis of the scene once: x or -x of a rod; x,y or "
-                  "-y,x and the like of a rectangle",
+                  "-y,x and the like of a rectangle; z,-x,y and the like of a box",
                   o->name, text);
 }
 

@@ -25,27 +25,30 @@ enum { FITS = 30 };
 static const double LEAST = 0.05; /* smallest significant order */
 
 struct place {
-    double x, y, T, w;
+    double x[DIM_MAX], T, w;
 };
 
 static int by_place(const void *a, const void *b) {
     const struct place *p = a, *q = b;
-    return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->y > q->y) - (p->y < q->y);
+    int k = 0;
+    while (k < DIM_MAX - 1 && p->x[k] == q->x[k]) k++;
+    return (p->x[k] > q->x[k]) - (p->x[k] < q->x[k]);
 }
 
 /* The points in sorted order, since an external program may write them in any. */
 static struct place *sorted(const struct field *f) {
     struct place *at = xcalloc(f->n, sizeof *at);
     for (size_t i = 0; i < f->n; i++)
-        at[i] = (struct place){f->x[i], f->y ? f->y[i] : 0, f->T[i], f->weight ? f->weight[i] : 1};
+        at[i] =
+            (struct place){{f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0}, f->T[i], f->weight ? f->weight[i] : 1};
     qsort(at, f->n, sizeof *at, by_place);
     return at;
 }
 
 static int on_one_grid(const struct problem *p, const struct place *a, const struct place *b, size_t n) {
-    double away[2] = {1e-9 * (p->hi[0] - p->lo[0]), 1e-9 * (p->hi[1] - p->lo[1])};
     for (size_t i = 0; i < n; i++)
-        if (fabs(a[i].x - b[i].x) > away[0] || fabs(a[i].y - b[i].y) > away[1]) return 0;
+        for (int d = 0; d < p->dim; d++)
+            if (fabs(a[i].x[d] - b[i].x[d]) > 1e-9 * (p->hi[d] - p->lo[d])) return 0;
     return 1;
 }
 

@@ -28,9 +28,10 @@ int answer_check(const struct answer *a, struct failure *why) {
             return refuse(why, STATUS_INPUT, "--what %s depends on time here and needs --time T[,T...], in s",
                           kind->name);
         if (kind->needs_cell && !a->points.cell && !(a->cell > 0))
-            return refuse(why, STATUS_INPUT,
-                          "--what %s needs the cell around each point: columns dx and dy of the points, or --dx DX",
-                          kind->name);
+            return refuse(
+                why, STATUS_INPUT,
+                "--what %s needs the cell around each point: columns dx, dy and dz of the points, or --dx DX",
+                kind->name);
         for (int k = 0; k < a->times && strncmp(kind->name, "flux", 4) == 0; k++)
             if (a->time[k] == 0)
                 return refuse(why, STATUS_INPUT,
@@ -42,12 +43,12 @@ int answer_check(const struct answer *a, struct failure *why) {
 enum { BLOCK = 4096 }; /* points per evaluation of the exact solution, since lattice points share work */
 
 static void exact_of(const struct answer *a, const struct snapshot *now, size_t first, size_t n, struct exact *e) {
-    double *x = xcalloc(2 * n, sizeof *x), *y = x + n, at[2];
+    double *x = xcalloc(3 * n, sizeof *x), *y = x + n, *z = y + n, at[DIM_MAX];
     for (size_t i = 0; i < n; i++) {
         mapping_to_scene(&a->image->map, a->points.dim, a->points.x[first + i], at);
-        x[i] = at[0], y[i] = at[1];
+        x[i] = at[0], y[i] = at[1], z[i] = at[2];
     }
-    snapshot_at_points(now, n, x, y, NULL, e);
+    snapshot_at_points(now, n, x, y, z, e);
     free(x);
 }
 
@@ -75,7 +76,7 @@ static char *put_row(const struct answer *a, double time, size_t i, const double
 /* Maximum number of characters in the lines of n points. */
 static size_t room(const struct answer *a, size_t first, size_t n) {
     int numbers = a->points.dim + 1;
-    for (int i = 0; i < a->columns.count; i++) numbers += a->columns.kind[i]->values;
+    for (int i = 0; i < a->columns.count; i++) numbers += columns_count(a->columns.kind[i], a->points.dim);
     size_t letters = n * (size_t)numbers * (NUMBER_PRINTED + 1);
     for (size_t i = first; i < first + n; i++)
         for (int d = 0; d < a->points.dim; d++) letters += (size_t)a->points.typed[i][d].length;
@@ -89,7 +90,7 @@ struct text {
 
 static struct text write_block(const struct answer *a, const struct snapshot *now, size_t block) {
     size_t first = block * BLOCK, left = a->points.n - first, n = left < BLOCK ? left : BLOCK;
-    const double same[2] = {a->cell, a->cell};
+    const double same[DIM_MAX] = {a->cell, a->cell, a->cell};
     struct exact *exact = a->columns.needs_time ? xcalloc(n, sizeof *exact) : NULL;
     double value[COLUMNS_VALUES];
     char *text = xcalloc(room(a, first, n), 1), *at = text;
@@ -122,9 +123,10 @@ static void write_points(const struct answer *a, double time, FILE *out) {
 }
 
 void answer_write(const struct answer *a, FILE *out) {
+    static const char *const coordinates[] = {"", "x", "x,y", "x,y,z"};
     char header[COLUMNS_HEADER];
     columns_header(&a->columns, header);
-    fprintf(out, "%s%s%s\n", a->points.dim == 2 ? "x,y" : "x", a->times > 1 ? ",time" : "", header);
+    fprintf(out, "%s%s%s\n", coordinates[a->points.dim], a->times > 1 ? ",time" : "", header);
     if (a->times == 0) write_points(a, 0, out);
     for (int k = 0; k < a->times && !ferror(out); k++) write_points(a, a->time[k], out);
 }

@@ -16,12 +16,12 @@ struct line {
     int length;       /* 1: length only */
 };
 
-static struct approx initial_on_line(const void *data, const double y[2]) {
+static struct approx initial_on_line(const void *data, const double *y) {
     const struct line *l = data;
     return (struct approx){l->p->initial(l->p, (const double[2]){l->x, y[0]}), 0};
 }
 
-static struct approx along_line(const void *data, const double x[2]) {
+static struct approx along_line(const void *data, const double *x) {
     struct line l = *(const struct line *)data;
     double piece[2][2];
     struct approx sum = {0, 0};
@@ -36,7 +36,7 @@ static struct approx along_line(const void *data, const double x[2]) {
     return sum;
 }
 
-double clipped_mean(const struct problem *p, const double lo[2], const double hi[2]) {
+double clipped_mean(const struct problem *p, const double *lo, const double *hi) {
     struct cubature_knots knots = {.count = {0, 0}};
     struct line l = {p, lo[1], hi[1], 0, 0};
     int n = 0;

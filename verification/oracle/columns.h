@@ -8,7 +8,7 @@ struct failure;
 struct exact;
 struct image;
 
-enum { COLUMNS_MAX = 24, COLUMNS_VALUES = 8 * COLUMNS_MAX };
+enum { COLUMNS_MAX = 24, COLUMNS_VALUES = 10 * COLUMNS_MAX };
 
 struct columns_row; /* the data of one point */
 struct problem;
@@ -17,14 +17,15 @@ struct columns_kind {
     const char *name;   /* name for --what */
     const char *header; /* header of its columns */
     int needs_time, needs_cell;
-    int plane; /* 1: not on a rod */
+    int axes; /* least number of axes of a scene that has it */
     void (*fill)(const struct columns_row *row, double *value);
-    int axis;   /* axis of the derivative or flux, if any */
-    int values; /* number of values */
+    int axis;          /* axis of the derivative or flux, if any */
+    int values;        /* number of values, one for each name of the header */
+    const char *space; /* header in space, with two more values, if it differs; else NULL */
 };
 
 struct columns {
-    int count;
+    int dim, count;
     const struct columns_kind *kind[COLUMNS_MAX];
     int needs_time, needs_cell; /* 1 if one of the columns does */
 };
@@ -34,6 +35,9 @@ extern const char columns_help[];
 /* Reads a comma-separated list.  Returns STATUS_OK, or STATUS_INPUT with the unknown word and the valid ones. */
 int columns_parse(const char *list, int dim, struct columns *c, struct failure *why);
 
+/* Number of values of a column for that many axes. */
+int columns_count(const struct columns_kind *kind, int dim);
+
 /* Writes ",name" for each column to text, of size COLUMNS_HEADER. */
 enum { COLUMNS_HEADER = 1024 };
 void columns_header(const struct columns *c, char *text);
@@ -41,11 +45,11 @@ void columns_header(const struct columns *c, char *text);
 /* Sets the values at x, m, and `time`, s, in the order of the header; returns their number.  All arguments are in
  * the axes and temperatures of the image except `exact`, the scene's solution at that point and time, NULL if no
  * column depends on time.  `cell`: extents of the cell around x, m, or NULL. */
-int columns_values(const struct columns *c, const struct image *image, double time, const double x[2],
-                   const double cell[2], const struct exact *exact, double *value);
+int columns_values(const struct columns *c, const struct image *image, double time, const double *x,
+                   const double *cell, const struct exact *exact, double *value);
 
 /* K: average of the initial data over the part of the box from lo to hi (m) inside a round body; that part is not
  * empty. */
-double clipped_mean(const struct problem *p, const double lo[2], const double hi[2]);
+double clipped_mean(const struct problem *p, const double *lo, const double *hi);
 
 #endif

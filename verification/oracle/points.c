@@ -6,6 +6,7 @@
 #include "solver/status.h"
 #include "verification/text/number.h"
 #include "verification/text/whole_file.h"
+#include "verification/text/words.h"
 
 #include <errno.h>
 #include <float.h>
@@ -13,9 +14,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMN_X, COLUMN_Y, COLUMN_DX, COLUMN_DY, COLUMNS };
-static const char *const names[COLUMNS] = {"x", "y", "dx", "dy"};
-static const size_t few = 1000;   /* points: below this number threads do not pay off */
+enum { COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_DX, COLUMN_DY, COLUMN_DZ, COLUMNS };
+static const char *const names[COLUMNS] = {"x", "y", "z", "dx", "dy", "dz"};
+static const char *const headers[] = {"", "x", "x,y", "x,y,z"}; /* by dimension */
+static const size_t few = 1000;                                 /* points: below this number threads do not pay off */
 static const double slack = 1e-9; /* relative to the extent: coordinates on a side may be rounded decimals */
 
 struct line {
@@ -85,7 +87,7 @@ static int read_header(struct reader *r, const char *line, struct failure *why) 
         if (r->place[a] < 0)
             return refuse(why, STATUS_INPUT,
                           "%.150s, line %ld: '%.60s' has no column %s; the header is %s, separated by commas",
-                          r->name, r->line, line, names[a], r->p->dim == 2 ? "x,y" : "x");
+                          r->name, r->line, line, names[a], headers[r->p->dim]);
     return STATUS_OK;
 }
 
@@ -107,14 +109,21 @@ static int check_inside(const struct problem *p, int axis, double *x) {
 }
 
 /* 1 if a point is in a round body, within the same tolerance. */
-static int is_in_shape(const struct problem *p, const double x[2]) {
+static int is_in_shape(const struct problem *p, const double *x) {
     return !p->shape || shape_depth(p, x) >= -slack * p->radius[1];
+}
+
+/* "x,y,z" */
+static void write_point(int dim, const double *x, char text[80]) {
+    *text = '\0';
+    for (int a = 0; a < dim; a++) words_add(text, 80, "%s%.12g", a ? "," : "", x[a]);
 }
 
 static int read_point(const struct reader *r, size_t i, struct failure *why) {
     struct points *points = r->points;
     struct points_text cell[COLUMNS] = {{0}};
     double *x = points->x[i];
+    char at_text[80];
     long line = r->lines[i].number;
     int width = 0;
     for (const char *at = r->lines[i].text; at; width++) {
@@ -135,9 +144,11 @@ static int read_point(const struct reader *r, size_t i, struct failure *why) {
                           r->name, line, r->place[a] + 1, names[a], cell[a].length < 40 ? cell[a].length : 40,
                           cell[a].start, r->p->lo[a], r->p->hi[a]);
     }
-    if (!is_in_shape(r->p, x))
-        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %g, %g m is outside the %s", r->name, line, x[0], x[1],
+    if (!is_in_shape(r->p, x)) {
+        write_point(r->p->dim, x, at_text);
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %s m is outside the %s", r->name, line, at_text,
                       r->p->shape->name);
+    }
     for (int a = 0; a < points->dim && points->cell; a++) {
         int c = r->place[COLUMN_DX + a] >= 0 ? COLUMN_DX + a : COLUMN_DX;
         double *extent = &points->cell[i][a];
@@ -181,8 +192,7 @@ static int read_lines(struct reader *r, struct failure *why) {
     const char *line = next_line(r, why);
     if (why->status) return why->status;
     if (!line)
-        return refuse(why, STATUS_INPUT, "%.150s: empty; must start with the header %s", r->name,
-                      r->p->dim == 2 ? "x,y" : "x");
+        return refuse(why, STATUS_INPUT, "%.150s: empty; must start with the header %s", r->name, headers[r->p->dim]);
     if (read_header(r, line, why) || list_lines(r, why)) return why->status;
     if (r->points->n == 0) return refuse(why, STATUS_INPUT, "%.150s: a header without points", r->name);
     return read_points(r, why);
@@ -204,12 +214,13 @@ int points_read(FILE *in, const char *name, const struct problem *p, struct poin
     return why->status;
 }
 
-int points_one(const struct problem *p, const double x[2], struct points *points, struct failure *why) {
+int points_one(const struct problem *p, const double *x, struct points *points, struct failure *why) {
     *points = (struct points){.dim = p->dim,
                               .n = 1,
                               .x = xcalloc(1, sizeof *points->x),
                               .typed = xcalloc(1, sizeof *points->typed),
-                              .text = xcalloc(2, 32)};
+                              .text = xcalloc(DIM_MAX, 32)};
+    char at[80];
     for (int a = 0; a < p->dim; a++) {
         char *typed = points->text + 32 * a;
         points->x[0][a] = x[a];
@@ -218,13 +229,14 @@ int points_one(const struct problem *p, const double x[2], struct points *points
         if (inside > 0) points->typed[0][a].length = 0;
         if (inside >= 0) continue;
         points_free(points);
-        if (p->dim == 1) return refuse(why, STATUS_INPUT, "--at %.12g: outside %g to %g m", x[0], p->lo[0], p->hi[0]);
-        return refuse(why, STATUS_INPUT, "--at %.12g,%.12g: outside %g to %g m, %g to %g m", x[0], x[1], p->lo[0],
-                      p->hi[0], p->lo[1], p->hi[1]);
+        write_point(p->dim, x, at);
+        if (p->dim == 1) return refuse(why, STATUS_INPUT, "--at %s: outside %g to %g m", at, p->lo[0], p->hi[0]);
+        return refuse(why, STATUS_INPUT, "--at %s: %c is outside %g to %g m", at, "xyz"[a], p -> lo[a], p -> hi[a]);
     }
     if (is_in_shape(p, x)) return STATUS_OK;
     points_free(points);
-    return refuse(why, STATUS_INPUT, "--at %.12g,%.12g: outside the %s", x[0], x[1], p->shape->name);
+    write_point(p->dim, x, at);
+    return refuse(why, STATUS_INPUT, "--at %s: outside the %s", at, p->shape->name);
 }
 
 void points_free(struct points *points) {

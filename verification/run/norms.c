@@ -9,9 +9,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-static void point(const struct field *f, size_t i, double x[2]) {
+static void point(const struct field *f, size_t i, double x[DIM_MAX]) {
     x[0] = f->x[i];
     x[1] = f->y ? f->y[i] : 0;
+    x[2] = f->z ? f->z[i] : 0;
 }
 
 static double weight(const struct field *f, size_t i) {
@@ -73,7 +74,7 @@ static unsigned char *points_that_count(const struct problem *p, const struct fi
     unsigned char *counts = xcalloc(f->n, 1);
 #pragma omp parallel for if (f->n >= NORMS_MANY)
     for (size_t i = 0; i < f->n; i++) {
-        double x[2];
+        double x[DIM_MAX];
         point(f, i, x);
         int near = part != NORMS_ALL && shape_depth(p, x) < distance;
         counts[i] = exact[i] != NORMS_NO_VALUE && part != (near ? NORMS_INTERIOR : NORMS_BOUNDARY);
@@ -126,7 +127,7 @@ static void widen(const struct problem *p, const struct field *f, double *lo, do
         size_t n = p->dim == 1 ? 1 : f->n;
 #pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (n >= NORMS_MANY)
         for (size_t i = 0; i < n; i++) {
-            double x[2];
+            double x[DIM_MAX];
             point(f, i, x);
             struct foot foot = shape_foot(p, s, x);
             problem_wall_range(p, (enum side)s, foot.x, &coldest, &hottest);
@@ -135,18 +136,21 @@ static void widen(const struct problem *p, const struct field *f, double *lo, do
     *lo = coldest, *hi = hottest;
 }
 
-/* On a rod sum |T_{i+1} - T_i|; on a rectangle the sums along each axis times the spacing of the other. */
+/* On a rod sum |T_{i+1} - T_i|; else the sums along each axis times the spacings of the others. */
 static double variation(const struct field *f) {
     if (f->shape[0] == 0) return NAN;
-    size_t nx = (size_t)f->shape[0], ny = (size_t)f->shape[1];
-    double along[2] = {0, 0};
-    for (size_t j = 0; j < ny; j++)
-        for (size_t i = 0; i < nx; i++) {
-            const double *T = f->T + j * nx + i;
-            if (i + 1 < nx) along[0] += fabs(T[1] - T[0]);
-            if (j + 1 < ny) along[1] += fabs(T[nx] - T[0]);
-        }
-    return f->dim == 1 ? along[0] : along[0] * f->spacing[1] + along[1] * f->spacing[0];
+    double sum = 0;
+    size_t stride = 1;
+    for (int a = 0; a < f->dim; a++) {
+        size_t block = stride * (size_t)f->shape[a];
+        double along = 0, across = 1;
+        for (size_t first = 0; first < f->n; first += block)
+            for (size_t i = first; i + stride < first + block; i++) along += fabs(f->T[i + stride] - f->T[i]);
+        for (int b = 0; b < f->dim; b++) across *= b == a ? 1 : f->spacing[b];
+        sum += along * across;
+        stride = block;
+    }
+    return sum;
 }
 
 struct norms_shape norms_shape(const struct problem *p, const struct field *f, const double *exact) {

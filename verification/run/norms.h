@@ -43,7 +43,7 @@ struct norms_error norms_error(const struct problem *p, const struct field *f, c
 struct norms_shape {
     double min, max;              /* K, of the field */
     double overshoot, undershoot; /* K, beyond initial data, Dirichlet walls and air at Robin walls; 0 within */
-    double variation;             /* K (K m for a rectangle): sum of |difference| along the axes; NaN off a lattice */
+    double variation;             /* K m^(dim-1): sum of |difference| along the axes; NaN off a lattice */
     double checkerboard;          /* K, see checkerboard_amplitude */
 };
 

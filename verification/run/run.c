@@ -18,7 +18,8 @@
  * size of k T over the extent, so its rounding is extent/dx times larger. */
 static double derived_rounding(const struct experiment *e, const struct result *r) {
     const struct problem *p = &e->problem;
-    double extent = fmax(p->hi[0] - p->lo[0], p->dim == 2 ? p->hi[1] - p->lo[1] : 0);
+    double extent = 0;
+    for (int a = 0; a < p->dim; a++) extent = fmax(extent, p->hi[a] - p->lo[a]);
     return r->rounding * (e->quantity.kind == QUANTITY_FLUX ? extent / r->options.dx : 1);
 }
 
@@ -55,7 +56,8 @@ static int measure(const struct experiment *e, const struct field *f, const doub
         staged && f->bound > 0 && f->applications > 0 ? f->bound * p->t_end / 2 / (double)f->applications : NAN;
     out->particles = f->n;
     struct norms_error *parts[] = {&out->error, &out->interior, &out->boundary};
-    double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;
+    double skin = INFINITY;
+    for (int a = 0; a < p->dim; a++) skin = fmin(skin, (p->hi[a] - p->lo[a]) / 10);
 #pragma omp parallel for schedule(dynamic, 1) if (f->n >= NORMS_MANY)
     for (int k = 0; k < 3; k++) *parts[k] = norms_error(p, f, reference, (enum norms_part)k, skin);
     if (!isfinite(out->error.l1))

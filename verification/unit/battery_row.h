@@ -10,7 +10,7 @@
 static inline struct gates battery_rows(int order, const char *only) {
     struct gates g = {0};
     struct failure why;
-    if (battery_add(order, PROFILE_SLABS, 0, &g, &why) || gates_choose(&g, only, NULL, 0, &why) ||
+    if (battery_add(order, PROFILE_ALL, 0, &g, &why) || gates_choose(&g, only, NULL, 0, &why) ||
         battery_bounds(&g, &why))
         fail_msg("%s", why.text);
     return g;

@@ -16,13 +16,14 @@
 #include <string.h>
 
 enum { ROOM = 160 * 160 };
-static double at_x[ROOM], at_y[ROOM];
+static double at_x[ROOM], at_y[ROOM], at_z[ROOM];
 static struct failure why;
 
 /* Puts n[0] by n[1] points from `first` on, one step apart, without point `skip` (-1: all), and returns their
  * number. */
 static size_t lattice(const double first[2], const double step[2], const int n[2], int skip) {
     size_t m = 0;
+    memset(at_z, 0, sizeof at_z);
     for (int c = 0; c < n[0] * n[1]; c++)
         if (c != skip) at_x[m] = first[0] + c % n[0] * step[0], at_y[m++] = first[1] + c / n[0] * step[1];
     return m;
@@ -43,6 +44,32 @@ static void expect_of(int (*check)(const struct samples *, const struct problem 
     why = (struct failure){0};
     int status = check(&s, &p, (double[2]){dx, dx}, &why);
     if (!says && status) fail_msg("%s, %zu points: %s", scene, n, why.text);
+    if (says) assert_int_equal(status, STATUS_INPUT);
+    if (says) assert_has(why.text, says);
+}
+
+/* A box of 0.6 m by 0.9 m by 0.3 m from (-0.2, 0.1, 0). */
+static const struct problem box = {.dim = 3, .lo = {-0.2, 0.1, 0}, .hi = {0.4, 1, 0.3}};
+
+/* Puts a lattice of 0.05 m into it: cells + more points along each axis, from `first` spacings; -1: none missing. */
+static size_t lattice_in_box(double first, int more, int skip) {
+    const int n[3] = {12 + more, 18 + more, 6 + more};
+    size_t m = 0;
+    for (int c = 0; c < n[0] * n[1] * n[2]; c++) {
+        if (c == skip) continue;
+        at_x[m] = -0.2 + 0.05 * (first + c % n[0]);
+        at_y[m] = 0.1 + 0.05 * (first + c / n[0] % n[1]);
+        at_z[m++] = 0.05 * (first + c / n[0] / n[1]);
+    }
+    return m;
+}
+
+static void expect_in_box(size_t n, const char *says) {
+    static const double d[] = {0.05, 0.05, 0.05};
+    struct samples s = {.path = "out.csv", .dim = 3, .n = n, .value = {at_x, at_y, at_z}};
+    int status = coverage_check(&s, &box, d, &why);
+    if (!status) status = missing_points_check(&s, &box, d, &why);
+    if (!says && status) fail_msg("%s", why.text);
     if (says) assert_int_equal(status, STATUS_INPUT);
     if (says) assert_has(why.text, says);
 }
@@ -175,6 +202,48 @@ static void missing_point_of_a_plane_is_named(void **state) {
     expect("square-step", 0.2, m, NULL); /* coordinates that differ by less than 1e-9 of 4 m make one column */
 }
 
+static void usual_arrangements_cover_a_box(void **state) {
+    (void)state;
+    expect_in_box(lattice_in_box(0.5, 0, -1), NULL);
+    expect_in_box(lattice_in_box(0, 1, -1), NULL);
+    expect_in_box(lattice_in_box(1, -1, -1), NULL);
+    expect_in_box(lattice_in_box(0, 1, 5), NULL); /* no point of an edge */
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    size_t m = lattice_in_box(0.5, 0, -1);
+    for (size_t i = 0; i < m; i++) {
+        at_x[i] += 0.02 * (gsl_rng_uniform(r) - 0.5), at_y[i] += 0.02 * (gsl_rng_uniform(r) - 0.5);
+        at_z[i] += 0.02 * (gsl_rng_uniform(r) - 0.5);
+    }
+    expect_in_box(m, NULL);
+    for (size_t i = 0; i < m; i++) {
+        at_x[i] = -0.2 + 0.6 * gsl_rng_uniform(r), at_y[i] = 0.1 + 0.9 * gsl_rng_uniform(r);
+        at_z[i] = 0.3 * gsl_rng_uniform(r);
+    }
+    expect_in_box(m, NULL);
+    gsl_rng_free(r);
+}
+
+static void uncovered_and_doubled_parts_of_a_box_are_refused(void **state) {
+    (void)state;
+    size_t m = lattice_in_box(0.5, 0, -1), layers = m / 6;
+    expect_in_box(5 * layers, "missing at z = 0.275 m");
+    expect_in_box(3 * layers, "where dx = 0.05 m asks for 935 at least");
+    for (size_t i = 5 * layers; i < m; i++) at_z[i] = at_z[i - layers] - 0.02;
+    expect_in_box(m, NULL);
+    for (size_t i = 0; i < m; i++) at_z[i] *= 0.3;
+    expect_in_box(m, "no point in -0.2 <= x <= -0.08 m, 0.1 <= y <= 0.22");
+    assert_has(why.text, "0.1 <= z <= 0.2 m");
+    m = lattice_in_box(0.5, 0, -1);
+    at_z[77] = 0.31;
+    expect_in_box(m, "line 78: z = 0.31 m is outside 0 to 0.3 m");
+    m = lattice_in_box(0.5, 0, 12 * 18 * 2 + 12 * 7 + 3);
+    expect_in_box(m,
+                  "1 point is missing from 12 columns by 18 rows by 6 layers, at x = -0.025, y = 0.475, z = 0.125 m");
+    m = lattice_in_box(0.5, 0, -1);
+    at_x[m] = at_x[40], at_y[m] = at_y[40], at_z[m] = at_z[40];
+    expect_in_box(m + 1, "line 1297: the same point as in line 41");
+}
+
 /* 2 m by half a metre: two points are the same within 2 nm along x and half a nanometre along y. */
 static const struct problem body = {.dim = 2, .lo = {0.25, -1}, .hi = {2.25, -0.5}};
 static const double nearest[2] = {2e-9, 0.5e-9};
@@ -224,10 +293,15 @@ static void two_points_at_one_place_are_found(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(usual_arrangements_cover_the_domain),    cmocka_unit_test(uncovered_parts_are_refused),
-        cmocka_unit_test(first_point_outside_is_named),           cmocka_unit_test(missing_point_of_a_rod_is_named),
-        cmocka_unit_test(four_points_do_not_determine_a_spacing), cmocka_unit_test(missing_point_of_a_plane_is_named),
+        cmocka_unit_test(usual_arrangements_cover_the_domain),
+        cmocka_unit_test(uncovered_parts_are_refused),
+        cmocka_unit_test(first_point_outside_is_named),
+        cmocka_unit_test(missing_point_of_a_rod_is_named),
+        cmocka_unit_test(four_points_do_not_determine_a_spacing),
+        cmocka_unit_test(missing_point_of_a_plane_is_named),
         cmocka_unit_test(two_points_at_one_place_are_found),
+        cmocka_unit_test(usual_arrangements_cover_a_box),
+        cmocka_unit_test(uncovered_and_doubled_parts_of_a_box_are_refused),
     };
     return cmocka_run_group_tests_name("coverage", tests, NULL, NULL);
 }

@@ -126,6 +126,31 @@ static void invalid_tables_name_line_and_column(void **state) {
     }
 }
 
+/* Columns in any order and by any name.  In the plane several layers are refused; in space a plane is. */
+static void tables_in_space_have_three_coordinates(void **state) {
+    (void)state;
+    struct samples s;
+    struct failure why;
+    static const char *const text[] = {"x,y,z,T\n1,2,3,4\n5,6,7,8\n", "T;z;w;x;y\n4;3;9;1;2\n8;7;9;5;6\n",
+                                       "# T y c b x\n4 2 9 3 1\n8 6 9 7 5\n"};
+    for (int i = 0; i < 3; i++) {
+        if (read_as(text[i], 3, i == 2 ? "z=b" : NULL, &s, &why)) fail_msg("%s", why.text);
+        for (int k = COLUMN_X; k <= COLUMN_T; k++) assert_true(s.value[k][0] == k + 1 && s.value[k][1] == k + 5);
+        samples_free(&s);
+    }
+    assert_int_equal(read_as("x,y,T\n1,2,4\n", 3, NULL, &s, &why), STATUS_INPUT);
+    assert_has(why.text, "line 1: 'x,y,T' should be the header x,y,z,T");
+    assert_int_equal(read_as("x,y,T\n1,2,4\n", 3, "z=Z", &s, &why), STATUS_INPUT);
+    assert_has(why.text, "should be the header x,y,Z,T");
+    assert_int_equal(read_as("x,y,z,T\n1,2,3,4\n5,6,7,8\n", 2, NULL, &s, &why), STATUS_INPUT);
+    assert_has(why.text, "line 3: z = 7 m, but 3 m above: the case is in the plane; answer x,y,T with one layer");
+    for (int dim = 1; dim <= 2; dim++) {
+        assert_int_equal(read_as("x,y,z,T\n1,2,3,4\n5,6,3,8\n", dim, "x=x,y=y,z=z", &s, &why), 0);
+        assert_true(s.value[COLUMN_T][1] == 8);
+        samples_free(&s);
+    }
+}
+
 /* ---- NumPy ---- */
 
 /* A header of `length` bytes, padded, then n bytes of data.  Version 2 has four bytes of length. */
@@ -140,20 +165,25 @@ static void put_npy(int version, const char *header, size_t length, const void *
 
 #define ARRAY(type, shape) "{'descr': " type ", 'fortran_order': False, 'shape': " shape ", }"
 
-/* Eight numbers, 0.5 to 7.5: each row names where the second point's x, y, T and w are among them; -1: nowhere. */
+/* Eight numbers, 0.5 to 7.5: each row names where the last point's x, y, z, T and w are among them; -1: nowhere. */
 static void numpy_columns_and_fields_are_read(void **state) {
     (void)state;
     static const struct {
         const char *header, *map;
         int dim, n, at[COLUMN_COUNT];
     } row[] = {
-        {ARRAY("'<f8'", "(4, 2)"), NULL, 1, 4, {2, -1, 3, -1}},
-        {ARRAY("'<f8'", "(2, 4)"), NULL, 2, 2, {4, 5, 6, 7}},
-        {ARRAY("'<f8'", "(2, 4)"), "x=4,T=2", 1, 2, {7, -1, 5, -1}},
-        {ARRAY("'<f8'", "(2, 4)"), "x=1,T=2,w=3", 1, 2, {4, -1, 5, 6}},
-        {ARRAY("[('T', '<f8'), ('p', '<f8'), ('y', '<f8'), ('x', '<f8')]", "(2,)"), NULL, 2, 2, {7, 6, 4, -1}},
-        {ARRAY("[('T', '<f8'), ('p', '<f8'), ('y', '<f8'), ('x', '<f8')]", "(2,)"), "w=p", 1, 2, {7, -1, 4, 5}},
-        {ARRAY("[('temp', '<f8'), ('x', '<f8')]", "(4,)"), "T=temp", 1, 4, {3, -1, 2, -1}},
+        {ARRAY("'<f8'", "(4, 2)"), NULL, 1, 4, {6, -1, -1, 7, -1}},
+        {ARRAY("'<f8'", "(2, 4)"), "x=1,y=2,T=3,w=4", 2, 2, {4, 5, -1, 6, 7}},
+        {ARRAY("'<f8'", "(2, 4)"), NULL, 3, 2, {4, 5, 6, 7, -1}},
+        {ARRAY("'<f8'", "(1, 8)"), "x=1,y=2,z=3,T=4,w=5", 3, 1, {0, 1, 2, 3, 4}},
+        {ARRAY("'<f8'", "(2, 4)"), "z=1,x=2,T=3,y=4", 3, 2, {5, 7, 4, 6, -1}},
+        {ARRAY("'<f8'", "(2, 4)"), "x=4,T=2", 1, 2, {7, -1, -1, 5, -1}},
+        {ARRAY("'<f8'", "(2, 4)"), "x=4,y=1,z=3,T=2", 1, 2, {7, -1, -1, 5, -1}},
+        {ARRAY("'<f8'", "(2, 4)"), "x=1,T=2,w=3", 1, 2, {4, -1, -1, 5, 6}},
+        {ARRAY("[('T', '<f8'), ('p', '<f8'), ('y', '<f8'), ('x', '<f8')]", "(2,)"), NULL, 2, 2, {7, 6, -1, 4, -1}},
+        {ARRAY("[('T', '<f8'), ('p', '<f8'), ('y', '<f8'), ('x', '<f8')]", "(2,)"), "w=p", 1, 2, {7, -1, -1, 4, 5}},
+        {ARRAY("[('T', '<f8'), ('p', '<f8'), ('y', '<f8'), ('x', '<f8')]", "(2,)"), "z=p", 3, 2, {7, 6, 5, 4, -1}},
+        {ARRAY("[('temp', '<f8'), ('x', '<f8')]", "(4,)"), "T=temp", 1, 4, {7, -1, -1, 6, -1}},
     };
     double number[8];
     float single[8];
@@ -170,7 +200,7 @@ static void numpy_columns_and_fields_are_read(void **state) {
             assert_int_equal(s.n, row[i].n);
             for (int k = 0; k < COLUMN_COUNT; k++) {
                 assert_int_equal(s.value[k] != NULL, row[i].at[k] >= 0);
-                if (s.value[k]) assert_near(s.value[k][1], number[row[i].at[k]], 0);
+                if (s.value[k]) assert_near(s.value[k][s.n - 1], number[row[i].at[k]], 0);
             }
             samples_free(&s);
         }
@@ -204,6 +234,10 @@ static void other_numpy_arrays_are_refused(void **state) {
         {ARRAY("'<f8'", "(1, 5)"), 40, 1, NULL, "5 columns; it needs x, T"},
         {ARRAY("'<f8'", "(1, 1)"), 8, 1, NULL, "1 columns; it needs x, T"},
         {ARRAY("'<f8'", "(1, 3)"), 24, 1, NULL, "3 columns for a rod: x, T, w or x, y, T?"},
+        {ARRAY("'<f8'", "(1, 4)"), 32, 2, NULL, "4 columns in the plane: x, y, T, w or x, y, z, T?"},
+        {ARRAY("'<f8'", "(1, 3)"), 24, 3, NULL, "3 columns; it needs x, y, z, T"},
+        {ARRAY("'<f8'", "(2, 4)"), 64, 2, "x=1,y=2,z=4,T=3", "row 1: z is not finite"},
+        {ARRAY("'<f8'", "(4, 2)"), 64, 3, "x=1,y=2,z=3,T=2", "no field '3'"},
         {ARRAY("'<f8'", "(1, 2)"), 16, 2, NULL, "2 columns; it needs x, y, T"},
         {ARRAY("'<f8'", "(1, 2)"), 16, 1, "T=temp", "no field 'temp': an array of 2 columns has places, 1 to 2"},
         {ARRAY("'<f8'", "(1, 2)"), 16, 1, "T=3", "no field '3'"},
@@ -270,10 +304,14 @@ static void rounded_coordinates_snap_to_walls(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(table_dialects_read_the_same),        cmocka_unit_test(tables_may_give_weights_and_cost),
-        cmocka_unit_test(invalid_tables_name_line_and_column), cmocka_unit_test(numpy_columns_and_fields_are_read),
-        cmocka_unit_test(long_numpy_files_are_read),           cmocka_unit_test(other_numpy_arrays_are_refused),
+        cmocka_unit_test(table_dialects_read_the_same),
+        cmocka_unit_test(tables_may_give_weights_and_cost),
+        cmocka_unit_test(invalid_tables_name_line_and_column),
+        cmocka_unit_test(numpy_columns_and_fields_are_read),
+        cmocka_unit_test(long_numpy_files_are_read),
+        cmocka_unit_test(other_numpy_arrays_are_refused),
         cmocka_unit_test(rounded_coordinates_snap_to_walls),
+        cmocka_unit_test(tables_in_space_have_three_coordinates),
     };
     int file = scratch_file(path, "field-file-test");
     if (file < 0 || close(file)) return 1;

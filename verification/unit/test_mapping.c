@@ -6,6 +6,7 @@
 
 #include "verification/unit/odd_scenes.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,7 +17,8 @@ static const char *const of_rod[] = {"x", "-x"}, *const of_plane[] = {"x,y", "-x
 
 static void words_are_read_as_they_are_printed(void **state) {
     (void)state;
-    static const char *const wrong[] = {"", "z", "x,", "x,x", "-y,-y", "y", "--x", "x,y,x", "x y", "-", "x,-"};
+    static const char *const wrong[] = {"",    "z", "x,",  "x,x",    "-y,-y", "y",   "--x",    "x,y,x",
+                                        "x y", "-", "x,-", "x,y,z,", "x,z",   "z,y", "x,y,-y", "x,y,w"};
     char text[MAPPING_WORDS];
     for (int i = 0; i < 10; i++) {
         struct mapping m = {0};
@@ -27,19 +29,76 @@ static void words_are_read_as_they_are_printed(void **state) {
         assert_string_equal(text, word);
     }
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        struct mapping m = {.axes = 2, .swap = 1, .scale = 3};
+        struct mapping m = {.axes = 2, .from = {1, 0, 2}, .scale = 3};
         if (mapping_read(wrong[i], &m) == 0) fail_msg("'%s' is taken", wrong[i]);
-        assert_true(m.axes == 2 && m.swap == 1 && m.scale == 3);
+        assert_true(m.axes == 2 && m.from[0] == 1 && m.scale == 3);
     }
     struct mapping m = {0};
     mapping_read("-y,x", &m);
-    double to[2];
+    double to[DIM_MAX];
     mapping_to_scene(&m, 2, (double[2]){3, 5}, to); /* x = -(scene's y) = 3, y = (scene's x) = 5 */
     assert_true(to[0] == 5 && to[1] == -3);
     mapping_to_case(&m, 2, (double[2]){to[0], to[1]}, to);
     assert_true(to[0] == 3 && to[1] == 5);
     assert_int_equal(mapping_side(&m, X_LO), Y_HI);
     assert_int_equal(mapping_side(&m, Y_HI), X_HI);
+}
+
+/* The i-th of the 48 maps of a box: six orders of the axes, eight signs. */
+static struct mapping of_box(int i) {
+    static const char *const order[] = {"xyz", "yzx", "zxy", "xzy", "yxz", "zyx"};
+    struct mapping m = {0};
+    char text[MAPPING_WORDS] = "", *at = text;
+    for (int a = 0; a < 3; a++) at += sprintf(at, "%s%s%c", a ? "," : "", i >> a & 1 ? "-" : "", order[i / 8][a]);
+    assert_int_equal(mapping_read(text, &m), 0);
+    char again[MAPPING_WORDS];
+    mapping_print(&m, again);
+    assert_string_equal(again, text);
+    return m;
+}
+
+/* The image of (1, 2, 3), which identifies a map. */
+static int place_of(const struct mapping *m, const struct mapping *n) {
+    double once[DIM_MAX], to[DIM_MAX];
+    mapping_to_scene(m, 3, (double[]){1, 2, 3}, once);
+    mapping_to_scene(n, 3, once, to);
+    return (int)(100 * to[0] + 10 * to[1] + to[2]);
+}
+
+/* Two maps in succession are one of the 48; each has its inverse; sides follow their points. */
+static void maps_of_a_box_form_a_group(void **state) {
+    (void)state;
+    const struct mapping none = {0};
+    int place[48];
+    for (int i = 0; i < 48; i++) {
+        const struct mapping m = of_box(i);
+        place[i] = place_of(&m, &none);
+        for (int k = 0; k < i; k++) assert_int_not_equal(place[i], place[k]);
+    }
+    for (int i = 0; i < 48; i++) {
+        const struct mapping m = of_box(i);
+        double x[] = {-0.3, 0.7, 1.9}, to[DIM_MAX], back[DIM_MAX];
+        mapping_to_scene(&m, 3, x, to);
+        mapping_to_case(&m, 3, to, back);
+        for (int a = 0; a < 3; a++) assert_true(back[a] == x[a]);
+        for (int a = 0; a < 3; a++) assert_int_equal(mapping_axis(&m, mapping_axis_back(&m, a)), a);
+        int inverse = 0;
+        for (int k = 0; k < 48; k++) {
+            const struct mapping n = of_box(k);
+            int both = place_of(&m, &n), found = 0;
+            for (int l = 0; l < 48; l++) found += place[l] == both;
+            assert_int_equal(found, 1);
+            inverse += both == place_of(&none, &none);
+        }
+        assert_int_equal(inverse, 1);
+        for (int s = 0; s < SIDES; s++) { /* a point on side s of the cube [-1, 1]^3 */
+            double on[3] = {0.1, 0.2, 0.3};
+            on[s / 2] = s % 2 ? 1 : -1;
+            mapping_to_scene(&m, 3, on, to);
+            int t = mapping_side(&m, (enum side)s);
+            assert_true(to[t / 2] == (t % 2 ? 1 : -1));
+        }
+    }
 }
 
 struct seen {
@@ -52,7 +111,7 @@ static struct seen seen_at(const struct scene *s, const struct image *image, con
                                         "temperature,initial,source,rho_c,k_x,flux_x,wall_x,k_y,flux_y,wall_y"};
     struct columns c;
     struct failure why = {0};
-    double v[COLUMNS_VALUES] = {0}, at[2];
+    double v[COLUMNS_VALUES] = {0}, at[DIM_MAX];
     if (columns_parse(what[image->problem.dim - 1], image->problem.dim, &c, &why)) fail_msg("%s", why.text);
     mapping_to_scene(&image->map, image->problem.dim, x, at);
     struct exact e = scene_exact(s, image->of, at, t);
@@ -131,7 +190,7 @@ static void image_satisfies_its_equation(void **state) {
 static void case_file_uses_its_own_axes(void **state) {
     (void)state;
     struct problem of;
-    struct mapping m = {.scale = 2, .offset = -3, .plane = 1};
+    struct mapping m = {.scale = 2, .offset = -3};
     const struct scene *s = odd_find("rect-manufactured", &of);
     struct options o = {.dx = 0.1};
     char *text, value[600];
@@ -142,19 +201,12 @@ static void case_file_uses_its_own_axes(void **state) {
     FILE *out = open_memstream(&text, &size);
     case_file_write(s, &of, &o, &(struct case_extra){.label = "mine", .map = &m}, out);
     fclose(out);
-    static const char *const says[][2] = {{"map", "y,-x"},
-                                          {"axes", "x,z"},
-                                          {"scale", "2"},
-                                          {"offset", "-3"},
-                                          {"interface", "-0."},
-                                          {"interface_axis", "y"},
-                                          {"k_x", "11, 0.006"},
-                                          {"k_y", "7, 0.02"},
-                                          {"rho_c", "13, 1.8"},
-                                          {"lo", "0, -0.9"},
-                                          {"hi", "0.59999999999999998, 0"},
-                                          {"cells", "6, 9"},
-                                          {"side_x_lo", "neumann"},
+    static const char *const says[][2] = {{"map", "y,-x"},           {"scale", "2"},
+                                          {"offset", "-3"},          {"interface", "-0."},
+                                          {"interface_axis", "y"},   {"k_x", "11, 0.006"},
+                                          {"k_y", "7, 0.02"},        {"rho_c", "13, 1.8"},
+                                          {"lo", "0, -0.9"},         {"hi", "0.59999999999999998, 0"},
+                                          {"cells", "6, 9"},         {"side_x_lo", "neumann"},
                                           {"side_y_hi", "dirichlet"}};
     for (size_t i = 0; i < sizeof says / sizeof *says; i++) {
         if (case_file_value(text, says[i][0], value, sizeof value) || strncmp(value, says[i][1], strlen(says[i][1])))
@@ -170,6 +222,7 @@ int main(void) {
         cmocka_unit_test(words_are_read_as_they_are_printed),
         cmocka_unit_test(image_satisfies_its_equation),
         cmocka_unit_test(case_file_uses_its_own_axes),
+        cmocka_unit_test(maps_of_a_box_form_a_group),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("mapping", tests, NULL, NULL);

@@ -176,39 +176,6 @@ static void spacings_are_along_the_axes_of_the_case(void **state) {
     }
 }
 
-/* The axes of a program in three dimensions are in the case and its directory, and read from it again. */
-static void the_plane_of_a_slab_is_kept(void **state) {
-    (void)state;
-    char line[400], path[400], value[PROGRAM_SETTING];
-    struct command r;
-    struct failure why = {0};
-    int written;
-    if (command_read("run rect-manufactured mine --dx 0.05 --axes y,z --solver '{case}{out}'", &r, &why))
-        fail_msg("%s", why.text);
-    const struct experiment *e = &r.experiment;
-    results_setting(e->scene, &e->problem, 0, &e->program.map, 0, value);
-    assert_string_equal(value, "axes=y,z");
-    assert_int_equal(results_write(&(struct results_place){below("slab"), "", "", &e->program.map, 0}, e->scene,
-                                   &e->problem, &e->options, r.rungs.dx.text, &written, &why),
-                     0);
-    command_free(&r);
-    snprintf(path, sizeof path, "%s/slab/rect-manufactured/0.05/case", dir);
-    char *text = case_file_read(path, &why);
-    assert_int_equal(case_file_value(text, "axes", value, sizeof value), 0);
-    assert_string_equal(value, "y,z");
-    assert_int_equal(case_file_value(text, "oracle", path, sizeof path), 0);
-    assert_null(strstr(path, "axes")); /* the reference is in the plane */
-    free(text);
-    snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --results %s/slab", dir);
-    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
-    assert_string_equal(mapping_planes[r.experiment.program.map.plane], "y,z");
-    command_free(&r);
-    snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --axes x,z --results %s/slab", dir);
-    assert_int_equal(command_read(line, &r, &why), STATUS_INPUT);
-    assert_has(why.text, "map, axes, scale or offset differ in other cases");
-    command_free(&r);
-}
-
 /* A program that adds 1e-3 seed K, of the seed that its case says: the errors of a rung are those of both draws, and
  * their parameters are read. */
 static void draws_are_judged_later(void **state) {
@@ -269,7 +236,6 @@ int main(void) {
         cmocka_unit_test(cases_are_added_without_replacing_others),
         cmocka_unit_test(a_second_spacing_is_kept),
         cmocka_unit_test(spacings_are_along_the_axes_of_the_case),
-        cmocka_unit_test(the_plane_of_a_slab_is_kept),
         cmocka_unit_test(draws_are_judged_later),
         cmocka_unit_test(vary_sets_a_parameter_of_the_program),
     };

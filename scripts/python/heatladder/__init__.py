@@ -102,7 +102,7 @@ def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
     """Evaluates a scene at points: a dictionary of arrays by column name, one value per point.
 
     scene   a case, or the words of `heatladder reference`: "rod-gauss --set kappa=0.02"
-    points  (n,) on a rod, (n, 2) in the plane, m
+    points  (n,) on a rod, (n, 2) in the plane, (n, 3) in space, m
     what    columns separated by commas: temperature, initial_heat, source, k_x, rho_c, wall_x, ...
     time    s
     width   of the cell about each point, m, by axis: for means over cells (initial_heat, initial_mean)
@@ -111,7 +111,7 @@ def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
     if not rows:
         raise ValueError("reference: no points")
     dim, cell = len(rows[0]), [] if width is None else [float(w) for w in width]
-    header = ["x", "y"][:dim] + ["dx", "dy"][:len(cell)]
+    header = ["x", "y", "z"][:dim] + ["dx", "dy", "dz"][:len(cell)]
     table = "\n".join(",".join(repr(x) for x in row + cell) for row in rows)
     words = scene["oracle"] if isinstance(scene, Case) else scene
     answer = subprocess.run(
@@ -133,7 +133,7 @@ def _write(points: Any, T: Any, out: str) -> None:
         return
     rows = _rows(points)
     with open(out, "w", encoding="utf-8") as f:
-        print(",".join(["x", "y"][:len(rows[0])] + ["T"]), file=f)
+        print(",".join(["x", "y", "z"][:len(rows[0])] + ["T"]), file=f)
         for row, value in zip(rows, T):
             print(*row, float(value), sep=",", file=f)
 
