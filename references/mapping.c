@@ -119,7 +119,7 @@ static double source_rate(const struct problem *p, const double *x) {
 
 static double source_at(const struct problem *p, const double *x, double t) {
     const struct image *i = p->data;
-    double at[2];
+    double at[DIM_MAX];
     mapping_to_scene(&i->map, p->dim, x, at);
     return mapping_scale(&i->map) * i->of->source_at(i->of, at, t);
 }
