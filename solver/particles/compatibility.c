@@ -81,9 +81,9 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
     const struct material *m = unequal ? unequal : &p->material[0];
     const int space = p->dim == 3;
     char axes[120], wall[60];
-    int used = snprintf(axes, sizeof axes, "isotropic conductivity only, the scene has k_x = %g and k_y = %g",
-                        m->k[0], m->k[1]);
-    if (space) snprintf(axes + used, sizeof axes - (size_t)used, ", k_z = %g", m->k[2]);
+    int used = snprintf(axes, sizeof axes, "isotropic conductivity only, the scene has k_x = %g", m->k[0]);
+    if (space) used += snprintf(axes + used, sizeof axes - (size_t)used, ", k_y = %g", m->k[1]);
+    snprintf(axes + used, sizeof axes - (size_t)used, " and k_%c = %g", space ? 'z' : 'y', m->k[space ? 2 : 1]);
     snprintf(wall, sizeof wall, "does not support a %s wall", kind_words[kind]);
 
     const struct rule rules[] = {

@@ -7,6 +7,7 @@
  * same, to round-off. */
 #include "verification/run/symmetry.h"
 
+#include "solver/particles/particles.h"
 #include "solver/space/layout.h"
 
 #include <math.h>
@@ -75,7 +76,8 @@ int symmetry_solve(const struct method *m, const struct problem *p, const struct
                    struct failure *why) {
     struct problem half;
     int cut[DIM_MAX];
-    if (symmetry_reduce(p, o, &half, cut)) {
+    int ordered = !m->scheme || p->dim == 1 || !particles_rows(p, o); /* else by cells: they have no mirror order */
+    if (ordered && symmetry_reduce(p, o, &half, cut)) {
         int status = method_solve(m, &half, o, f, why);
         if (status == STATUS_OK) restore(f, p, cut);
         if (!status_refused(status)) return status; /* the part may be too short for the stencil */

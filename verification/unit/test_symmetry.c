@@ -30,6 +30,7 @@ static void as_the_whole(const char *line, int saving) {
         if (part.y) assert_near(part.y[i], whole.y[i], 1e-14);
         assert_near(part.T[i], whole.T[i], 2e-13);
     }
+    assert_order(field_largest(&part), >, 0.1);
     assert_near(part.heat[1] / whole.heat[1], 1, 1e-13);
     assert_int_equal(part.cost.updates * saving, whole.cost.updates);
     assert_true(saving == 1 || part.cost.bytes < whole.cost.bytes);
@@ -60,6 +61,8 @@ static void asymmetric_problems_are_not_cut(void **state) {
     as_the_whole("run rod-step so_ssph --dx 4/41 --stepper exact", 1);
     as_the_whole("run plate so_ssph --dx 0.01 --stepper exact", 1);
     as_the_whole("run square-step so_ssph --dx 0.2 --layout jitter --jitter 0.1 --stepper rk2 --dt 0.1", 1);
+    as_the_whole("run plane-contact contact_ssph --set mode=2 --dx 1/20 --stepper rk2 --dt 0.1", 1);
+    as_the_whole("run square-step so_ssph --dx 0.2 --walls fit --stepper rk2 --dt 0.1", 1);
     as_the_whole("run rod-step fo_ssph --dx 0.5 --stepper exact", 1); /* 4 particles, a stencil that reaches 4 */
 }
 
