@@ -100,4 +100,75 @@ static inline double mode_error(const struct problem *p, const struct field *f, 
     return worst;
 }
 
+static inline void place(const struct field *f, size_t i, double x[DIM_MAX]) {
+    x[0] = f->x[i], x[1] = f->y ? f->y[i] : 0, x[2] = f->z ? f->z[i] : 0;
+}
+
+/* Largest |T - the initial data of p|. */
+static inline double furthest_from_start(const struct problem *p, const struct field *f) {
+    double worst = 0, x[DIM_MAX];
+    for (size_t i = 0; i < f->n; i++) {
+        place(f, i, x);
+        double apart = fabs(f->T[i] - p->initial(p, x));
+        if (!(apart <= worst)) worst = apart;
+    }
+    return worst;
+}
+
+/* ---- T = quadratic(x) + drift t line(x), with the source and the walls that it needs ---- */
+
+enum { DRIFT = 10 }; /* p->param[]: K s^-1 */
+static const double slope_of[DIM_MAX] = {1.1, -0.7, 0.4}, bend_of[DIM_MAX] = {1.7, -0.9, 2.3},
+                    slant_of[DIM_MAX] = {0.6, 1.3, -0.8}, /* yz, zx, xy */
+    drift_of[DIM_MAX] = {0.8, 1.9, -1.2};
+
+/* A Robin wall is exact for T without a second derivative across it. */
+static inline double bend(const struct problem *p, int axis) {
+    return p->side[2 * axis] == ROBIN || p->side[2 * axis + 1] == ROBIN ? 0 : bend_of[axis];
+}
+
+static inline double line_at(const struct problem *p, const double *x) {
+    double T = 0.6;
+    for (int a = 0; a < p->dim; a++) T += drift_of[a] * x[a];
+    return T;
+}
+
+static inline double quadratic_at(const struct problem *p, const double *x, double t) {
+    double T = 0.31 + p->param[DRIFT] * t * line_at(p, x);
+    for (int a = 0; a < p->dim; a++) T += slope_of[a] * x[a] + bend(p, a) / 2 * x[a] * x[a];
+    if (p->dim > 1) T += slant_of[2] * x[0] * x[1];
+    return p->dim > 2 ? T + slant_of[0] * x[1] * x[2] + slant_of[1] * x[2] * x[0] : T;
+}
+
+static inline double quadratic(const struct problem *p, const double *x) {
+    return quadratic_at(p, x, 0);
+}
+
+static inline double quadratic_wall(const struct problem *p, enum side s, const double *x, double t) {
+    const int a = (int)s / 2;
+    double flux = slope_of[a] + bend(p, a) * x[a] + p->param[DRIFT] * t * drift_of[a];
+    for (int b = 0; b < p->dim; b++)
+        if (b != a) flux += slant_of[3 - a - b] * x[b];
+    flux *= p->material[0].k[a] * (s % 2 ? 1 : -1);
+    if (p->side[s] == NEUMANN) return flux;
+    return quadratic_at(p, x, t) + (p->side[s] == ROBIN ? flux / p->robin[s] : 0);
+}
+
+static inline double quadratic_wall_rate(const struct problem *p, enum side s, const double *x, double t) {
+    (void)t;
+    return quadratic_wall(p, s, x, 1) - quadratic_wall(p, s, x, 0);
+}
+
+static inline double quadratic_source(const struct problem *p, const double *x) {
+    double G = p->material[0].rho_c * p->param[DRIFT] * line_at(p, x);
+    for (int a = 0; a < p->dim; a++) G -= p->material[0].k[a] * bend(p, a);
+    return G;
+}
+
+static inline void quadratic_data(struct problem *p, double drift) {
+    p->initial = quadratic, p->wall = quadratic_wall, p->source = quadratic_source;
+    p->param[DRIFT] = drift;
+    if (drift != 0) p->wall_rate = quadratic_wall_rate;
+}
+
 #endif

@@ -14,21 +14,6 @@
 
 static const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
 
-static void place(const struct field *f, size_t i, double x[DIM_MAX]) {
-    x[0] = f->x[i], x[1] = f->y ? f->y[i] : 0, x[2] = f->z ? f->z[i] : 0;
-}
-
-/* Largest |T - the initial data of p|. */
-static double furthest(const struct problem *p, const struct field *f) {
-    double worst = 0, x[DIM_MAX];
-    for (size_t i = 0; i < f->n; i++) {
-        place(f, i, x);
-        double apart = fabs(f->T[i] - p->initial(p, x));
-        if (!(apart <= worst)) worst = apart;
-    }
-    return worst;
-}
-
 /* ---- Symbol and order ---- */
 
 static void modes_decay_by_the_amplification_factor(void **state) {
@@ -76,39 +61,15 @@ static void cosine_decays_at_second_order(void **state) {
 
 /* ---- Quadratics ---- */
 
-/* Ten terms, no two coefficients equal; `bend` has the second derivatives and `slant` the mixed ones. */
-static const double slope[DIM_MAX] = {1.1, -0.7, 0.4}, bend[DIM_MAX] = {1.7, -0.9, 2.3},
-                    slant[DIM_MAX] = {0.6, 1.3, -0.8}; /* yz, zx, xy */
-
-static double quadratic(const struct problem *p, const double *x) {
-    double T = 0.31;
-    for (int a = 0; a < p->dim; a++) T += slope[a] * x[a] + bend[a] / 2 * x[a] * x[a];
-    return T + slant[0] * x[1] * x[2] + slant[1] * x[2] * x[0] + slant[2] * x[0] * x[1];
-}
-
-static double quadratic_wall(const struct problem *p, enum side s, const double *x, double t) {
-    const int a = (int)s / 2, b = (a + 1) % 3, c = (a + 2) % 3;
-    (void)t;
-    if (p->side[s] == DIRICHLET) return quadratic(p, x);
-    return p->material[0].k[a] * (s % 2 ? 1 : -1) * (slope[a] + bend[a] * x[a] + slant[c] * x[b] + slant[b] * x[c]);
-}
-
-static double quadratic_source(const struct problem *p, const double *x) {
-    double G = 0;
-    (void)x;
-    for (int a = 0; a < p->dim; a++) G -= p->material[0].k[a] * bend[a];
-    return G;
-}
-
 static void every_quadratic_with_its_source_is_steady(void **state) {
     (void)state;
     for (int turn = 0; turn < 8; turn++) {
         struct problem p = box(0, 0, 0);
         for (int s = 0; s < SIDES; s++) p.side[s] = (s + (turn >> 2)) % 2 || s == 3 ? DIRICHLET : NEUMANN;
-        p.initial = quadratic, p.wall = quadratic_wall, p.source = quadratic_source, p.t_end = 5;
+        quadratic_data(&p, 0), p.t_end = 5;
         struct options o = {.dx = 0.115, .fourier = 0.15, .layout = turn & 2 ? LAYOUT_NODE : LAYOUT_LATTICE};
         struct field f = solved(both[turn & 1], &p, &o);
-        assert_near(furthest(&p, &f), 0, 1e-11);
+        assert_near(furthest_from_start(&p, &f), 0, 1e-11);
         field_free(&f);
     }
 }
@@ -120,14 +81,14 @@ static void averages_of_a_quadratic_are_exact(void **state) {
         struct problem p = box(0, 0, 0);
         const double dx = 0.115, order = m == SAMPLING_SPLINE ? 4 : m;
         struct options o = {.dx = dx, .sampling = (enum sampling)m};
-        p.initial = quadratic, p.wall = quadratic_wall, p.t_end = 0;
+        quadratic_data(&p, 0), p.source = NULL, p.t_end = 0;
         struct field f = solved(&method_ftcs, &p, &o);
         size_t inside = 0;
         for (size_t i = 0; i < f.n; i++) {
             double x[DIM_MAX], more = 0, depth = INFINITY;
             place(&f, i, x);
             for (int a = 0; a < 3; a++) {
-                more += order * dx * dx / 24 * bend[a];
+                more += order * dx * dx / 24 * bend_of[a];
                 depth = fmin(depth, fmin(x[a] - p.lo[a], p.hi[a] - x[a]));
             }
             if (depth < 2 * dx) continue; /* the data are continued beyond the wall */
@@ -307,7 +268,7 @@ static void fluxes_annihilate_checkers(void **state) {
         p.initial = checkers, p.param[6] = axes, p.param[7] = node ? 0 : PI / 2, p.t_end = 4;
         for (int s = 0; s < SIDES; s++) p.side[s] = node ? NEUMANN : PERIODIC;
         struct field f = solved(&method_ftcs_flux, &p, &o);
-        assert_near(furthest(&p, &f), 0, 1e-12);
+        assert_near(furthest_from_start(&p, &f), 0, 1e-12);
         field_free(&f);
         f = solved(&method_ftcs, &p, &o);
         for (size_t i = 0; i < f.n; i++) assert_order(fabs(f.T[i]), <, 0.3);
