@@ -278,6 +278,15 @@ static void fluxes_annihilate_checkers(void **state) {
 
 /* ---- Two materials ---- */
 
+/* The sum that the refusal of an unstable run states. */
+static double fourier_in(const struct failure *why) {
+    const char *text = strstr(why->text, "sum of kappa dt/dx^2 is ");
+    double sum = NAN;
+    assert_non_null(text);
+    assert_int_equal(sscanf(text, "sum of kappa dt/dx^2 is %lf", &sum), 1);
+    return sum;
+}
+
 static double across(const struct problem *p, const double *x) {
     return cos(PI * x[1] / p->hi[1]) * cos(PI * x[2] / p->hi[2]);
 }
@@ -311,6 +320,29 @@ static void two_materials_conduct_in_parallel_across(void **state) {
     p.side[Z_HI] = ROBIN, p.robin[Z_HI] = 0.7;
     assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "no Robin wall across both materials");
+    p.side[Z_HI] = NEUMANN, p.interface = 0.4, o.dt = 0.05, p.t_end = 200 * o.dt;
+    assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_UNSTABLE);
+    assert_near(fourier_in(&why), o.dt / (d * d) * (0.7 + 0.5 + 0.3) / 1.3, 1e-5); /* far from the interface */
+}
+
+/* A cell that the interface cuts starts at its heat over its heat capacity: here the mean across. */
+static void averages_of_two_materials_are_exact(void **state) {
+    (void)state;
+    const double d = 0.1;
+    struct problem p = {.dim = 3, .hi = {1, 0.8, 0.5}, .materials = 2, .interface = 0.43, .initial = across};
+    struct options o = {.dx = d, .sampling = SAMPLING_CELL};
+    double mean = 1;
+    p.wall = insulated;
+    for (int s = 0; s < SIDES; s++) p.side[s] = NEUMANN;
+    for (int m = 0; m < 2; m++) p.material[m] = (struct material){{0.7, 0.5, 0.3}, 1.3 + m};
+    for (int a = 1; a < 3; a++) mean *= sin(PI * d / 2 / p.hi[a]) / (PI * d / 2 / p.hi[a]);
+    struct field f = solved(&method_ftcs, &p, &o);
+    for (size_t i = 0; i < f.n; i++) {
+        double x[DIM_MAX];
+        place(&f, i, x);
+        assert_near(f.T[i], mean * across(&p, x), 2e-9); /* Gauss-Legendre with four points */
+    }
+    field_free(&f);
 }
 
 /* Two halves of one material are that material. */
@@ -351,11 +383,7 @@ static void steps_up_to_a_sixth_are_stable(void **state) {
         assert_int_equal(method_solve(both[m], &p, &o, &f, &why), STATUS_UNSTABLE);
         assert_has(why.text, ", y = ");
         assert_has(why.text, ", z = ");
-        const char *text = strstr(why.text, "sum of kappa dt/dx^2 is ");
-        double sum = NAN;
-        assert_non_null(text);
-        assert_int_equal(sscanf(text, "sum of kappa dt/dx^2 is %lf", &sum), 1);
-        assert_near(sum, 3 * 1.04 * limit[m], 0.01 * limit[m]);
+        assert_near(fourier_in(&why), 3 * 1.04 * limit[m], 0.01 * limit[m]);
     }
 }
 
@@ -401,6 +429,7 @@ int main(void) {
         cmocka_unit_test(heat_rises_by_the_fluxes),
         cmocka_unit_test(fluxes_annihilate_checkers),
         cmocka_unit_test(two_materials_conduct_in_parallel_across),
+        cmocka_unit_test(averages_of_two_materials_are_exact),
         cmocka_unit_test(two_equal_materials_are_one),
         cmocka_unit_test(steps_up_to_a_sixth_are_stable),
         cmocka_unit_test(bits_do_not_depend_on_the_width_of_vectors),
