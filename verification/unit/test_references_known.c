@@ -9,7 +9,7 @@
 
 static const struct known {
     const char *scene;
-    double x[2], t, T; /* m, s, K */
+    double x[DIM_MAX], t, T; /* m, s, K */
 } known[] = {
     /* sum over |k| <= 60 of (-1)^k T0/2 (erf((a+x-2kL)/s) + erf((a-x+2kL)/s)) */
     {"rod-step", {0.35, 0}, 2.385, 6.284029041367498094},
@@ -46,6 +46,18 @@ static const struct known {
     {"plane-contact", {0.71, 0.67}, 1.6, 2.3445065874889198088},
     {"disc-cooling", {0.7, 0.4}, 11, 0.87659966183455767969},
     {"disc-cooling", {-0.9, 0.81}, 2.9, 0.82155498777606945895},
+    /* sums of images; the closed forms, their roots in 50 digits; ball-cooling: modes to exp(-100) */
+    {"cube-step", {0.51, -0.77, 0.33}, 3.7, 1.4123728606428222335},
+    {"cube-step", {-1.2, 0.4, 1.3}, 170, 0.011810003990403987639},
+    {"box-cosine", {0.31, 0.23, 0.87}, 1.3, 1.1021936269314210626},
+    {"box-manufactured", {0.31, 0.23, 0.57}, 1.3, 1.4682865545971352057},
+    {"box-contact", {0.21, 0.13, 0.31}, 1.1, 2.101296753270614816},
+    {"box-contact", {0.71, 0.67, 0.05}, 1.6, 2.308328177408680692},
+    {"ball-cooling", {0.7, 0.4, -0.5}, 11, 0.78280320415800125536},
+    {"ball-cooling", {-0.9, 0.3, 0.81}, 2.9, 0.77590219129766525089},
+    {"ball-cooling", {0, 0, 0}, 40, 0.62228015745296463188},
+    {"ball-mode", {0.7, 0.4, -0.5}, 1.1, 2.0359015577769639663},
+    {"ball-mode", {-0.9, 0.3, 0.81}, 1.6, 2.1887616573946827044},
     /* the closed forms in 60 digits */
     {"rod-driven", {0.31, 0}, 2.3, 2.7398288047684185057},
     {"plate-driven", {0.31, 0.23}, 2.3, 2.4327195067972472764},
@@ -72,8 +84,8 @@ static void known_values(void **state) {
 static const struct extreme {
     const char *scene;
     double param[PARAM_MAX];
-    double x[2], t, T;  /* m, s, K */
-    double gradient[2]; /* K/m; NAN where not known */
+    double x[DIM_MAX], t, T;  /* m, s, K */
+    double gradient[DIM_MAX]; /* K/m; NAN where not known */
 } extreme[] = {
 #include "verification/unit/known_extreme.inc"
 };
@@ -125,6 +137,51 @@ static void bounds_of_small_pulses_are_small(void **state) {
         extreme_setup(k, &s, &p);
         double peak = scene_exact(s, &p, (double[2]){0, 0}, k->t).temperature;
         assert_order(scene_exact(s, &p, k->x, k->t).error_bound, <=, 3e-14 * peak);
+    }
+}
+
+/* Heisler's one-term values for spheres in four digits (Incropera et al. 2007, table 5.1): theta = C1 exp(-z^2 Fo) at
+ * the centre, times sin z/z at the surface; Fo = 0.5. */
+static void cooled_balls_follow_heisler(void **state) {
+    (void)state;
+    static const double row[][3] = {{0.1, 0.5423, 1.0298}, {1, 1.5708, 1.2732}, {10, 2.8363, 1.9249}}; /* Bi, z, C1 */
+    const struct scene *s = scene_find("ball-cooling");
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        struct problem p;
+        struct failure why;
+        double z = row[i][1], centre = row[i][2] * exp(-z * z / 2);
+        scene_defaults(s, &p);
+        p.param[5] = row[i][0] * p.param[1] / p.param[0];
+        assert_int_equal(s->setup(&p, &why), STATUS_OK);
+        double t = 0.5 * p.radius[1] * p.radius[1] * p.material[0].rho_c / p.material[0].k[2];
+        assert_near(scene_exact(s, &p, (double[DIM_MAX]){0}, t).temperature, centre, 5e-4 * centre);
+        double surface = centre * sin(z) / z, at[DIM_MAX] = {0, 0.6 * p.radius[1], -0.8 * p.radius[1]};
+        assert_near(scene_exact(s, &p, at, t).temperature, surface, 5e-4 * surface);
+    }
+}
+
+/* With diffusivity zero along an axis the middle of the brick along it stays hot. */
+static void slow_axes_leave_a_square_and_a_rod(void **state) {
+    (void)state;
+    struct problem p, q, r;
+    const struct scene *cube = odd_find("cube-step", &p), *square = scene_find("square-step"),
+                       *rod = scene_find("rod-step");
+    struct failure why;
+    const double *v = p.param, slow = 1e-6;
+    scene_defaults(square, &q);
+    scene_defaults(rod, &r);
+    memcpy(q.param, (double[]){v[0], v[1], v[2], v[4], v[5], v[7], v[8]}, 7 * sizeof(double));
+    memcpy(r.param, (double[]){v[0], v[1], v[4], v[7], v[8]}, 5 * sizeof(double));
+    p.param[6] = slow;
+    assert_int_equal(cube->setup(&p, &why) || square->setup(&q, &why) || rod->setup(&r, &why), STATUS_OK);
+    for (int i = 0; i < 20; i++) {
+        double x[DIM_MAX] = {-1.7 + 0.17 * i, 1.1 - 0.13 * i, 0}, t = 3.7;
+        struct exact a = scene_exact(cube, &p, x, t), b = scene_exact(square, &q, x, t);
+        assert_near(a.temperature, b.temperature, a.error_bound + b.error_bound);
+        struct problem bar = p;
+        bar.param[5] = slow, x[1] = 0;
+        a = scene_exact(cube, &bar, x, t), b = scene_exact(rod, &r, x, t);
+        assert_near(a.temperature, b.temperature, a.error_bound + b.error_bound);
     }
 }
 
@@ -221,6 +278,8 @@ int main(void) {
         cmocka_unit_test(extreme_values_hold_within_their_bounds),
         cmocka_unit_test(bounds_of_small_pulses_are_small),
         cmocka_unit_test(nafems_t4),
+        cmocka_unit_test(cooled_balls_follow_heisler),
+        cmocka_unit_test(slow_axes_leave_a_square_and_a_rod),
         cmocka_unit_test(plate_of_the_paper),
         cmocka_unit_test(bound_holds_near_a_full_period),
         cmocka_unit_test(published_infinite_line_ignores_walls),
