@@ -75,6 +75,15 @@ ROWS
     run rows --solver "[ ! -e ran ] || kill -TERM \$PPID; $code; echo >>ran; sleep 0.2" --json cut.json --only 'b/*'
     [ "$status" -eq 143 ]
     grep -q '"interrupted": 15' cut.json
+    [[ "$output" == *"interrupted: 1 of 2 gates judged"* ]]
+    run timeout -s INT 0.2 heatladder verify --json cut.json
+    [[ "$output" == *"gates judged"* ]]
+    grep -q '"interrupted": 2' cut.json
+}
+
+@test "skipped rows are not counted as executed" {
+    run heatladder verify --only 'smooth/gauss' --solver 'exit 77 # {case} {out}'
+    [[ "$output" == *"1 gates declared, 0 executed"*"1 skipped"* ]]
 }
 
 @test "a pipe that nobody writes to is refused, not waited for" {

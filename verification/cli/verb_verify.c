@@ -67,7 +67,7 @@ static int write_json(const struct gates *g, const char *path, struct failure *w
     gates_diagnosis(g, diagnosis, sizeof diagnosis);
     json_text(&j, "made", made);
     json_whole(&j, "declared", g->interrupted ? g->planned : g->declared);
-    json_whole(&j, "executed", g->executed);
+    json_whole(&j, "executed", g->executed - gates_tally(g, NULL).skipped);
     if (g->interrupted) json_whole(&j, "interrupted", g->interrupted);
     json_text(&j, "diagnosis", *diagnosis ? diagnosis : NULL);
     json_array(&j, "gates");
@@ -126,8 +126,7 @@ static int write_all(const struct gates *g, const struct verify_options *r, doub
     return STATUS_OK;
 }
 
-/* An interrupt waits until the verdicts so far are written; then it ends the program. */
-static int verify_program(const struct verify_options *r, struct gates *g, struct failure *why) {
+static void announce(const struct verify_options *r, struct gates *g) {
     int runs = gates_runs(g), jobs = r->jobs ? r->jobs : 1;
     char side[40] = "one after the other";
     if (jobs > 1) snprintf(side, sizeof side, "%d at a time", jobs);
@@ -135,13 +134,12 @@ static int verify_program(const struct verify_options *r, struct gates *g, struc
         fprintf(stderr, "heatladder: the program runs once\n");
     else
         fprintf(stderr, "heatladder: the program runs some %d times, %s\n", runs, side);
-    double start = omp_get_wtime();
-    atomic_file_hold();
-    int status = gates_run_program(g, jobs, why);
-    if (atomic_file_noted()) gates_cut(g, atomic_file_noted());
-    if (!status) status = write_all(g, r, omp_get_wtime() - start, why);
-    atomic_file_release();
-    return status;
+}
+
+static int run_gates(const struct verify_options *r, struct gates *g, struct failure *why) {
+    if (!g->program || !g->program->solver) return gates_run(g), STATUS_OK;
+    announce(r, g);
+    return gates_run_program(g, r->jobs ? r->jobs : 1, why);
 }
 
 static int verify(const struct verify_options *r, struct gate_file *file, struct gates *g, struct failure *why) {
@@ -149,17 +147,22 @@ static int verify(const struct verify_options *r, struct gate_file *file, struct
     if (atomic_file_check(r->json_path, why) || atomic_file_check(r->junit_path, why)) return why->status;
     if (atomic_file_check(r->page_path, why)) return why->status;
     if (collect(r, file, g, origin, why)) return why->status;
-    if (g->program && g->program->solver) return verify_program(r, g, why);
     double start = omp_get_wtime();
-    gates_run(g);
-    return write_all(g, r, omp_get_wtime() - start, why);
+    int status = atomic_file_noted() ? STATUS_OK : run_gates(r, g, why);
+    if (atomic_file_noted()) {
+        gates_cut(g, atomic_file_noted());
+        fprintf(stderr, "heatladder: interrupted: %d of %d gates judged\n", g->executed, g->planned);
+    }
+    return status ? status : write_all(g, r, omp_get_wtime() - start, why);
 }
 
 static int act(const void *options, struct failure *why) {
     const struct verify_options *r = options;
     struct gates gates = {0};
     struct gate_file file = {0};
+    atomic_file_hold(); /* an interrupt ends the program once the verdicts so far are written */
     int status = verify(r, &file, &gates, why);
+    atomic_file_release();
     if (!status) status = gates_status(&gates);
     gates_free(&gates);
     gate_file_free(&file);

@@ -6,6 +6,7 @@
 #include "solver/status.h"
 #include "verification/ladder/command.h"
 #include "verification/gates/ceiling.h"
+#include "verification/text/atomic_file.h"
 #include "verification/text/words.h"
 
 #include <fnmatch.h>
@@ -86,9 +87,9 @@ static void add_row(struct gates *g, const struct row *row, const char *id, cons
     }
 }
 
-/* A refused command has no bounds; its gate fails with the refusal. */
+/* A refused command has no bounds; its gate fails with the refusal.  An interrupt leaves the rest. */
 static void set_bounds(struct gate_result *r) {
-    if (!r->line || !r->read) return;
+    if (atomic_file_noted() || !r->line || !r->read) return;
     struct experiment e = gates_finest(r->read);
     bounds_of(r->line, &e, &r->gate);
 }

@@ -194,8 +194,9 @@ static int check_row(struct scanner *s, const struct gate *g) {
     const struct measure *measure = measures_find(g->measure, &m);
     if (!measure) return wrong(s, "the row above, '%.60s': %.150s", g->id, m.reason);
     if (!(g->lo <= g->hi)) return wrong(s, "the row above, '%.60s': %g to %g is no band", g->id, g->lo, g->hi);
-    if (measure->ceiling && !(g->ceiling > 0))
-        return wrong(s, "the row above, '%.60s': %s needs a ceiling > 0 on the error beside it", g->id, g->measure);
+    if (measure->ceiling && !isnan(g->ceiling) && !(g->ceiling > 0))
+        return wrong(s, "the row above, '%.60s': the ceiling %g bounds no error; a positive number or NAN is wanted",
+                     g->id, g->ceiling);
     return check_id(s, g->id);
 }
 

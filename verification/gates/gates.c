@@ -6,6 +6,7 @@
 #include "verification/diagnosis/headline.h"
 #include "verification/ladder/command.h"
 #include "verification/foreign/program.h"
+#include "verification/text/atomic_file.h"
 #include "verification/text/progress.h"
 
 #include <gsl/gsl_sort_double.h>
@@ -49,6 +50,7 @@ void gates_run(struct gates *g) {
 #pragma omp parallel for schedule(dynamic, 1) reduction(+ : executed) if (!solver)
     for (int i = 0; i < g->declared; i++) {
         struct gate_result *result = &g->result[order[i]];
+        if (atomic_file_noted()) continue;
         gates_run_row(g, result, g->program);
         executed += !result->executed;
         result->executed = 1;

@@ -85,7 +85,8 @@ int gates_runs(struct gates *g);
 /* Rungs of a row; 1 for a run. */
 int gates_rungs(const struct gate_result *r);
 
-/* Runs all rows: in parallel, heaviest first; rows of --solver one after another. */
+/* Runs all rows: in parallel, heaviest first; rows of --solver one after another.  The caller may hold interrupts, as
+ * for gates_run_program. */
 void gates_run(struct gates *g);
 
 /* Runs all rows by g->program, `jobs` cases at a time, and prints each verdict on standard error.  The caller holds

@@ -84,13 +84,15 @@ struct experiment gates_finest(const struct command *c) {
 
 /* ---- Judging ---- */
 
-/* c: NULL if the command was refused.  The rows of one program share its runs and the directory of its cases. */
+/* c: NULL if the command was refused.  bounded: 1 if a measure of an error needs its ceiling, which an expression
+ * may fail to give; 0 for a row of a file, in which NAN is none.  The rows of one program share its runs and the
+ * directory of its cases. */
 static void judge(const struct gate *gate, const struct program *program, const struct command *c,
-                  const char *refused, struct measured *m) {
+                  const char *refused, int bounded, struct measured *m) {
     *m = (struct measured){0};
     const struct measure *measure = measures_find(gate->measure, m);
     if (!measure) return;
-    if (!c || (measure->ceiling && !(gate->ceiling > 0))) {
+    if (!c || (bounded && measure->ceiling && !(gate->ceiling > 0))) {
         judge_refused(m, c ? "this measure needs an error ceiling beside it" : refused);
         return;
     }
@@ -107,7 +109,7 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
     struct command c;
     struct failure why;
     int status = gates_read_row(gate, program, &c, &why);
-    judge(gate, program, status ? NULL : &c, why.text, m);
+    judge(gate, program, status ? NULL : &c, why.text, 1, m);
     command_free(&c);
 }
 
@@ -115,7 +117,7 @@ void gates_run_row(struct gates *g, struct gate_result *r, const struct program 
     double start = omp_get_wtime();
     gates_command(&r->gate, g->program, r->typed, sizeof r->typed);
     if (g->origin && strncmp(r->typed, "verify", 6) == 0) words_add(r->typed, sizeof r->typed, " %s", g->origin);
-    judge(&r->gate, program, r->read, r->refused.text, &r->measured);
+    judge(&r->gate, program, r->read, r->refused.text, r->line > 0, &r->measured);
     r->seconds = omp_get_wtime() - start;
 }
 

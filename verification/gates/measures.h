@@ -39,7 +39,7 @@ struct measured {
 struct measure {
     const char *name;
     const char *about; /* one line, with the unit */
-    int ceiling;       /* 1: needs a ceiling on the error */
+    int ceiling;       /* 1: a built-in gate needs a ceiling on the error */
     /* Fills *m, judged by lo <= value <= hi. */
     void (*take)(const struct command *r, double lo, double hi, struct measured *m);
 };

@@ -111,7 +111,7 @@ void print_gates(const struct gates *g, int all, double seconds) {
     if (g->interrupted)
         printf("\ninterrupted by signal %d: %d of %d rows were judged\n", g->interrupted, g->executed, g->planned);
     printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive",
-           g->interrupted ? g->planned : g->declared, g->executed, t.passed, t.failed, t.undecided);
+           g->interrupted ? g->planned : g->declared, g->executed - t.skipped, t.passed, t.failed, t.undecided);
     if (t.skipped) printf(", %d skipped", t.skipped);
     printf(" (%.2f s)\n", seconds);
 }

@@ -61,7 +61,7 @@ static void errors_are_reported_with_their_position(void **state) {
         {"GATE(\"a\", QUICK, \"error\", \"run\", 0, 1, NAN, \"w\"\n,", "line 2, column 1: expected ')', found ,"},
         {"GATE(\"a\", QUICK, \"eror\", \"run\", 0, 1, NAN, \"w\")", "unknown measure 'eror'; did you mean 'error'?"},
         {"GATE(\"a\", QUICK, \"error\", \"run\", 2, 1, NAN, \"w\")", "2 to 1 is no band"},
-        {"GATE(\"a\", QUICK, \"slope\", \"ladder\", 1, 2, NAN, \"w\")", "slope needs a ceiling > 0"},
+        {"GATE(\"a\", QUICK, \"slope\", \"ladder\", 1, 2, -1, \"w\")", "the ceiling -1 bounds no error"},
         {ROW("a") ROW("b") ROW("a"), "the row 'a' is there twice"},
         {"GATE(\"a\", QUICK, \"error\", \"run\", 0.0000000000000000000000000000000000000000001, 1, NAN, \"w\")",
          "more than 39 letters"},
@@ -76,6 +76,23 @@ static void errors_are_reported_with_their_position(void **state) {
 }
 
 /* Any bytes, also truncated anywhere, are either read or refused; a sanitizer detects accesses outside them. */
+/* NAN is no ceiling, for an order too. */
+static void a_row_needs_no_ceiling(void **state) {
+    (void)state;
+    struct gate_file f;
+    struct failure why;
+    const char *text =
+        "GATE(\"a\", QUICK, \"slope\", \"ladder rod-gauss ftcs --dx 1,0.5,0.25,0.125\", 1, 3, NAN, \"w\")";
+    assert_int_equal(read_text(text, &f, &why), STATUS_OK);
+    struct gates g = {0};
+    gates_add(&g, &f.gate[0]);
+    gates_read(&g);
+    gates_run_row(&g, &g.result[0], NULL);
+    assert_int_equal(g.result[0].measured.verdict, VERDICT_PASS);
+    gates_free(&g);
+    gate_file_free(&f);
+}
+
 static void any_bytes_are_read_or_refused(void **state) {
     (void)state;
     const char *text = "/**/GATE(\"a\", QUICK, \"error\", \"r\" \"\\\"\", -1, INFINITY, NAN, \"w\") // ";
@@ -126,9 +143,9 @@ static void link_to_a_gate_file_is_followed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gate_rows_are_read_in_c_syntax),  cmocka_unit_test(errors_are_reported_with_their_position),
-        cmocka_unit_test(any_bytes_are_read_or_refused),   cmocka_unit_test(missing_files_are_refused),
-        cmocka_unit_test(link_to_a_gate_file_is_followed),
+        cmocka_unit_test(gate_rows_are_read_in_c_syntax), cmocka_unit_test(errors_are_reported_with_their_position),
+        cmocka_unit_test(a_row_needs_no_ceiling),         cmocka_unit_test(any_bytes_are_read_or_refused),
+        cmocka_unit_test(missing_files_are_refused),      cmocka_unit_test(link_to_a_gate_file_is_followed),
     };
     return cmocka_run_group_tests_name("gate_file", tests, NULL, NULL);
 }
