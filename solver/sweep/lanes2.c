@@ -5,4 +5,6 @@
 #define LANES 2
 #define SWEEP_BAND sweep_band_2
 #define SWEEP_BANDS sweep_bands_2
+#define SWEEP_PLANES sweep_planes_2
 #include "solver/sweep/lanes.inc"
+#include "solver/sweep/lanes_box.inc"

@@ -5,4 +5,6 @@
 #define LANES 4
 #define SWEEP_BAND sweep_band_4
 #define SWEEP_BANDS sweep_bands_4
+#define SWEEP_PLANES sweep_planes_4
 #include "solver/sweep/lanes.inc"
+#include "solver/sweep/lanes_box.inc"

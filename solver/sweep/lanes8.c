@@ -5,4 +5,6 @@
 #define LANES 8
 #define SWEEP_BAND sweep_band_8
 #define SWEEP_BANDS sweep_bands_8
+#define SWEEP_PLANES sweep_planes_8
 #include "solver/sweep/lanes.inc"
+#include "solver/sweep/lanes_box.inc"

@@ -5,24 +5,30 @@
 
 #include <string.h>
 
+/* Rows of particles in all planes, and the start of one. */
 static ptrdiff_t rows_of(const struct heat_operator *a) {
-    return a->weight ? a->lattice.n[1] : 1;
+    return a->weight ? (ptrdiff_t)a->lattice.n[1] * a->lattice.n[2] : 1;
+}
+
+static ptrdiff_t start_of(const struct heat_operator *a, ptrdiff_t row) {
+    ptrdiff_t ny = a->weight ? a->lattice.n[1] : 1;
+    return operator_place(a, row % ny, row / ny);
 }
 
 void state_load(const struct heat_operator *a, const double *T, double *state) {
     ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
-    for (ptrdiff_t j = 0; j < rows; j++) memcpy(state + operator_row(a, j), T + j * nx, (size_t)nx * sizeof *T);
+    for (ptrdiff_t j = 0; j < rows; j++) memcpy(state + start_of(a, j), T + j * nx, (size_t)nx * sizeof *T);
 }
 
 void state_store(const struct heat_operator *a, const double *state, double *T) {
     ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
-    for (ptrdiff_t j = 0; j < rows; j++) memcpy(T + j * nx, state + operator_row(a, j), (size_t)nx * sizeof *T);
+    for (ptrdiff_t j = 0; j < rows; j++) memcpy(T + j * nx, state + start_of(a, j), (size_t)nx * sizeof *T);
 }
 
 size_t state_find_outside(const struct heat_operator *a, const double *state, double lo, double hi) {
     ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
     for (ptrdiff_t j = 0; j < rows; j++) {
-        const double *row = state + operator_row(a, j);
+        const double *row = state + start_of(a, j);
         int outside = 0;
         for (ptrdiff_t i = 0; i < nx; i++) outside += !(row[i] >= lo && row[i] <= hi);
         if (outside == 0) continue;
@@ -34,7 +40,9 @@ size_t state_find_outside(const struct heat_operator *a, const double *state, do
 }
 
 void state_update(const struct heat_operator *a, const struct update *u, int count, double *Y[2]) {
-    if (a->weight)
+    if (a->weight && a->lattice.dim == 3)
+        sweep_box(a, u, count, Y);
+    else if (a->weight)
         sweep_lattice(a, u, count, Y);
     else
         sweep_csr(a, u, count, Y);

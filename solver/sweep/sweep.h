@@ -7,6 +7,7 @@
 /* The hot loops of state_update, for `count` updates alternating between the states Y[0] and Y[1]. */
 
 void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
+void sweep_box(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
 void sweep_csr(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
 
 /* 1 for an Euler step without source or wall values. */
@@ -17,6 +18,11 @@ int sweep_is_plain(const struct heat_operator *a, const struct update *u);
 typedef void sweep_band(const struct heat_operator *a, int support, const struct update *u, const double *x,
                         double *y, ptrdiff_t row, ptrdiff_t end);
 sweep_band sweep_band_2, sweep_band_4, sweep_band_8;
+
+/* The same for the planes plane <= k < end of a box. support: largest i i + j j + k k. */
+typedef void sweep_planes(const struct heat_operator *a, int support, const struct update *u, const double *x,
+                          double *y, ptrdiff_t plane, ptrdiff_t end);
+sweep_planes sweep_planes_2, sweep_planes_4, sweep_planes_8;
 
 /* The same for particles begin <= i < end of a rod with a banded matrix.  Band entries beyond the ends of the rod
  * are 0, and x is not read there. */

@@ -11,7 +11,7 @@
 /* kappa_x = 0.7/1.3, kappa_y = 0.4/1.3; walls at 0.3, 0.8 K (x) and with fluxes 0.11, -0.23 W m^-2 (y) */
 static double odd_wall(const struct problem *p, enum side s, const double x[2], double t) {
     (void)t;
-    static const double value[4] = {0.3, 0.8, 0.11, -0.23};
+    static const double value[SIDES] = {0.3, 0.8, 0.11, -0.23, 0.47, 0.19};
     (void)p, (void)x;
     return value[s];
 }
@@ -31,6 +31,21 @@ static inline struct problem odd_rectangle(void) {
                             .side = {DIRICHLET, DIRICHLET, NEUMANN, NEUMANN},
                             .initial = odd_start,
                             .wall = odd_wall};
+}
+
+static inline double odd_start_in_space(const struct problem *p, const double *x) {
+    return odd_start(p, x) * cos(0.9 * x[2] + 0.1);
+}
+
+/* The rectangle with kappa_z = 0.55/1.3 and 0.47, 0.19 K on the walls of z. */
+static inline struct problem odd_box(void) {
+    struct problem p = odd_rectangle();
+    p.dim = 3;
+    p.lo[2] = -0.1, p.hi[2] = 0.8;
+    p.material[0].k[2] = 0.55;
+    p.side[Z_LO] = p.side[Z_HI] = DIRICHLET;
+    p.initial = odd_start_in_space;
+    return p;
 }
 
 /* sum c[a][b] x^a y^b, a + b <= 3, differentiated da and db times */
