@@ -2,13 +2,14 @@
 /* Compatibility of options, as one table: a condition, the option that it refuses, the reason and the remedy. */
 #include "solver/particles/compatibility.h"
 
+#include "solver/particles/conduction.h"
 #include "solver/particles/particles.h"
 #include "solver/particles/walls.h"
 #include "solver/time/stepper.h"
 
 #include <stdio.h>
 
-enum subject { LAYOUT, WALLS, SHIFT, SAMPLING, ORDER, VOLUME, STEPPER, METHOD };
+enum subject { LAYOUT, WALLS, SHIFT, SAMPLING, ORDER, VOLUME, MEAN, STEPPER, METHOD };
 
 struct rule {
     int refuses;
@@ -35,6 +36,9 @@ static void name_subject(enum subject subject, const struct options *o, const st
         break;
     case VOLUME:
         snprintf(text, 80, "--volume %s", volume_words[o->volume]);
+        break;
+    case MEAN:
+        snprintf(text, 80, "--mean %s", mean_words[o->mean]);
         break;
     case STEPPER:
         snprintf(text, 80, "--stepper %s", stepper_words[o->stepper]);
@@ -73,7 +77,7 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
     const int round = p->shape != NULL, periodic = !round && p->side[X_LO] == PERIODIC, two = p->materials == 2;
     const int cut = layout_is_cut(p, o), twice = cut && s->sweeps == 2, robin = has_wall(p, ROBIN);
     const int node = o->layout == LAYOUT_NODE, settled = o->layout == LAYOUT_RELAXED;
-    const int mirror = o->walls == WALLS_MIRROR, matched = options_is_matched(o);
+    const int law = p->k_law != K_CONSTANT, mirror = o->walls == WALLS_MIRROR, matched = options_is_matched(o);
     const enum side_kind kind = kind_without_dummies(p, o->walls);
     const struct material *unequal = anisotropic(p);
     /* every row is the stencil of a square lattice */
@@ -94,9 +98,22 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
         {s->isotropic && unequal, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
         {two && o->sampling == SAMPLING_SPLINE, SAMPLING, "four cells of two materials have no common average",
          "point or cell"},
-        {problem_changes(p) && particles_rows(p, o), METHOD,
+        {problem_changes(p) && !law && particles_rows(p, o), METHOD,
          "walls or a source that change in time need one stencil for all particles",
          "--layout lattice or node, one material and plane walls between particles or on them"},
+        /* k(T) */
+        {law && !conduction_supports(s), METHOD, "k depends on temperature here",
+         "so_ssph, fo_ssph, brookshaw or ftcs"},
+        {law && stepper && stepper->order == 0, STEPPER, "k depends on temperature here, and so does the operator",
+         "euler, rk2 or rkl2"},
+        {law && o->order > 2, ORDER, "with a k that depends on temperature, ghosts are second order", "2"},
+        {law && (cut || !mirror), WALLS, "k depends on temperature here, and ghosts are images",
+         "mirror, no --shift"},
+        {law && (node || settled), LAYOUT, "k depends on temperature here", "lattice, jitter or hexagonal"},
+        {law && o->sampling == SAMPLING_SPLINE, SAMPLING, "k depends on temperature here", "point or cell"},
+        {law && o->mean == MEAN_SERIES, MEAN, "is for two materials", "harmonic, arithmetic or kirchhoff"},
+        {!law && o->mean == MEAN_KIRCHHOFF, MEAN, "is for a k that depends on temperature",
+         "harmonic, arithmetic or series"},
         /* layouts */
         {space && (settled || o->layout == LAYOUT_HEXAGONAL), LAYOUT, "on a rod and in the plane only",
          "lattice or jitter"},

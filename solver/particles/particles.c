@@ -3,6 +3,7 @@
  * field. */
 #include "solver/particles/particles.h"
 #include "solver/particles/compatibility.h"
+#include "solver/particles/conduction.h"
 #include "solver/particles/start.h"
 #include "solver/particles/walls.h"
 #include "solver/time/matched.h"
@@ -193,6 +194,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
     struct options o;
     struct lattice l;
     int rows;
+    if (p->k_law) return nonlinear_solve(m, p, given, out, why);
     if (particles_prepare(p, given, m->scheme, &o, &l, &rows, why)) return why->status;
     if (o.stepper == STEPPER_AUTO) o.stepper = stepper_auto(1, o.dt > 0 || o.fourier > 0, 0);
 
