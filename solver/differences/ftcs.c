@@ -206,6 +206,7 @@ static void count(const struct ftcs_grid *g, const struct options *o, struct fie
 static int solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why) {
     if (p->shape && m != &method_ftcs_flux) return ftcs_polar_solve(m->name, p, o, f, why);
+    if (p->k_law && m != &method_ftcs_flux) return ftcs_nonlinear_solve(m->name, p, o, f, why);
     struct ftcs_grid g;
     double called = field_clock();
     int status = ftcs_grid_make(&g, m->name, m == &method_ftcs_flux, p, o, why);

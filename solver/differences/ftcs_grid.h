@@ -87,4 +87,8 @@ double ftcs_sample(const struct problem *p, const double *x, const double *d, en
 int ftcs_polar_solve(const char *method, const struct problem *p, const struct options *o, struct field *f,
                      struct failure *why);
 
+/* method_solve with ftcs for a conductivity that depends on temperature. */
+int ftcs_nonlinear_solve(const char *method, const struct problem *p, const struct options *o, struct field *f,
+                         struct failure *why);
+
 #endif

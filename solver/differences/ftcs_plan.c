@@ -65,7 +65,8 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
     const char *layout = layout_words[o->layout], *walls = walls_words[o->walls];
     const char *sampling = sampling_words[o->sampling], *stepper = stepper_words[o->stepper];
     const int round = p->shape != NULL, two = p->materials > 1, node = o->layout == LAYOUT_NODE;
-    const int matched = options_is_matched(o), periodic = !round && p->side[X_LO] == PERIODIC;
+    const int law = p->k_law != K_CONSTANT, matched = options_is_matched(o),
+              periodic = !round && p->side[X_LO] == PERIODIC;
     const int steps = matched || o->stepper == STEPPER_AUTO || o->stepper == STEPPER_EULER;
     int robin = 0, robin_across = 0;
     for (int s = 0; s < 2 * p->dim && !round; s++) robin |= p->side[s] == ROBIN;
@@ -90,6 +91,15 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
         {two && o->sampling == SAMPLING_SPLINE, "sampling", sampling, "takes one material; use point or cell"},
         {two && node, "layout", layout, "takes one material; use lattice"},
         {two && matched, "stepper", stepper, "takes one material; use euler"},
+        {law && with_fluxes, NULL, NULL, "takes one k, the scene has k(T); use ftcs"},
+        {law && node, "layout", layout, "k(T) is for the points of cells; use lattice"},
+        {law && o->walls != WALLS_MIRROR, "walls", walls,
+         "walls are faces of cells where k depends on T; use mirror"},
+        {law && matched, "stepper", stepper, "k depends on T, and so does the error that a step cancels; use euler"},
+        {law && o->sampling == SAMPLING_SPLINE, "sampling", sampling, "takes one k; use point or cell"},
+        {law && o->mean == MEAN_SERIES, "mean", "series",
+         "is for two materials; use harmonic, arithmetic or kirchhoff"},
+        {!law && o->mean == MEAN_KIRCHHOFF, "mean", "kirchhoff", "is for k(T); use harmonic, arithmetic or series"},
         {robin && node, "layout", layout, "a Robin wall is midway between a point and its ghost; use lattice"},
         {robin && matched, "stepper", stepper, "the ghosts of a Robin wall are of second order; use euler"},
         {periodic && node, "layout", layout, "the scene is periodic and has no walls; use lattice"},

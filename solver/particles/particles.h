@@ -14,7 +14,8 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
                     struct failure *why);
 
 /* Rate of the fastest growing mode of the method's rows, s^-1 (solver/time/growth.h), for a problem solved with
- * these options to *f.  NaN without rows: on a lattice of one material, or without a scheme. */
+ * these options to *f.  NaN without rows: on a lattice of one material, without a scheme, or
+ * with a k that depends on T. */
 int particles_growth(const struct method *m, const struct problem *p, const struct options *o, const struct field *f,
                      double *rate, struct failure *why);
 

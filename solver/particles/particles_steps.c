@@ -173,7 +173,7 @@ int particles_growth(const struct method *m, const struct problem *p, const stru
     int rows = 0;
     *rate = NAN;
     there.placed = there.layout == LAYOUT_RELAXED ? f : NULL;
-    if (!m->scheme) return STATUS_OK;
+    if (!m->scheme || p->k_law) return STATUS_OK;
     there.stepper = stepper_auto(1, 0, 0); /* the rows do not depend on it */
     if (particles_prepare(p, &there, m->scheme, &o, &l, &rows, why)) return why->status;
     if (!rows) return STATUS_OK;

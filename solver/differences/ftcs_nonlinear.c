@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finite differences in conservative form for a conductivity that depends on temperature, Euler's method:
+ *
+ *   rho_c dT_i/dt = (F_(i+1/2) - F_(i-1/2))/dx + the same along y + G,   F_(i+1/2) = k_(i+1/2) (T_(i+1) - T_i)/dx
+ *
+ * k_(i+1/2) is the harmonic or the arithmetic mean of the two values, or the mean of k over the temperatures between
+ * them (kirchhoff), for which k_(i+1/2) (T_(i+1) - T_i) is the integral of k from T_i to T_(i+1).  The harmonic mean
+ * of Patankar (1980) is 0 if one of the values is 0.  Walls are faces, half a spacing from a point: a held wall has
+ * the face's flux between T_i and T_wall, a flux is given, and at a Robin wall T_wall balances k dT/dn = b (T_a -
+ * T_wall), by bisection.  Walls and source are those of the start of a step.
+ *
+ * Restrictions: cell-centred grid, one isotropic material.  A step is refused if dt k/rho_c (1/dx^2 + 1/dy^2) exceeds
+ * 1/2 for the largest k of the state. */
+#include "solver/differences/ftcs_grid.h"
+
+#include "solver/differences/ftcs_plan.h"
+#include "solver/problem.h"
+#include "solver/work.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct cells {
+    const struct problem *p;
+    enum mean mean;
+    struct ftcs_grid g;
+    double *T, *rate;       /* K, W m^-3 */
+    double most;            /* W m^-1 K^-1: largest k of a step */
+    int hottest;            /* its cell */
+    double lo, hi, heating; /* K: range of data so far; W m^-3: largest source and inflow */
+};
+
+static double conductivity(const struct problem *p, double T) {
+    double k = p->k_law == K_POWER ? (T > p->k_ref ? p->k_0 * pow(T - p->k_ref, p->k_n) : 0)
+                                   : p->k_0 + p->k_0 * p->k_beta * (T - p->k_ref);
+    return k > 0 ? k : 0;
+}
+
+/* Integral of k from `from` to `to`, W m^-1. */
+static double between(const struct problem *p, double from, double to) {
+    if (p->k_law == K_LINEAR) return (to - from) * p->k_0 * (1 + p->k_beta * ((from + to) / 2 - p->k_ref));
+    double n = p->k_n + 1, a = fmax(0, from - p->k_ref), b = fmax(0, to - p->k_ref);
+    return p->k_0 / n * (pow(b, n) - pow(a, n));
+}
+
+/* k times the difference of temperatures, W m^-1, with the mean of the pair. */
+static double transfer(const struct cells *c, double from, double to) {
+    double a = conductivity(c->p, from), b = conductivity(c->p, to);
+    switch (c->mean) {
+    case MEAN_HARMONIC:
+        return a > 0 && b > 0 ? (to - from) * 2 / (1 / a + 1 / b) : 0;
+    case MEAN_ARITHMETIC:
+        return (to - from) * (a + b) / 2;
+    default:
+        return between(c->p, from, to);
+    }
+}
+
+/* Flux into the body, W m^-2, at a Robin face half a spacing from a point at T. */
+static double exchange(const struct cells *c, double b, double T_a, double T, double half) {
+    enum { HALVINGS = 60 };
+    double cold = fmin(T, T_a), hot = fmax(T, T_a);
+    for (int i = 0; i < HALVINGS; i++) {
+        double wall = cold + (hot - cold) / 2;
+        *(between(c->p, T, wall) / half > b * (T_a - wall) ? &hot : &cold) = wall;
+    }
+    return b * (T_a - cold);
+}
+
+/* Adds the flux through the face of cell i at the wall, m^2 of wall per m^3 of cell: 1/d. */
+static void add_wall(struct cells *c, int s, int i, double t) {
+    const struct problem *p = c->p;
+    const int a = s / 2, at[2] = {i % c->g.n[0], i / c->g.n[0]};
+    double d = c->g.d[a], x[DIM_MAX] = {0}, in = 0;
+    for (int b = 0; b < p->dim; b++) x[b] = c->g.origin[b] + at[b] * c->g.d[b];
+    x[a] = s % 2 ? p->hi[a] : p->lo[a];
+    double value = p->wall(p, (enum side)s, x, t);
+    if (p->side[s] == NEUMANN) {
+        in = value;
+        c->heating = fmax(c->heating, fabs(in) / (p->hi[a] - p->lo[a]));
+    } else {
+        c->lo = fmin(c->lo, value), c->hi = fmax(c->hi, value);
+        in = p->side[s] == ROBIN ? exchange(c, p->robin[s], value, c->T[i], d / 2)
+                                 : transfer(c, c->T[i], value) / (d / 2);
+    }
+    c->rate[i] += in / d;
+}
+
+static void add_faces(struct cells *c, double t) {
+    const struct ftcs_grid *g = &c->g;
+    const int across[2] = {1, g->n[0]}; /* from a cell to the next one along the axis */
+    for (int i = 0; i < g->n[0] * g->n[1]; i++) {
+        const int at[2] = {i % g->n[0], i / g->n[0]};
+        for (int a = 0; a < g->dim; a++) {
+            int last = at[a] == g->n[a] - 1, next = last ? i - at[a] * across[a] : i + across[a];
+            if (at[a] == 0 && c->p->side[2 * a] != PERIODIC) add_wall(c, 2 * a, i, t);
+            if (last && c->p->side[2 * a] != PERIODIC) {
+                add_wall(c, 2 * a + 1, i, t);
+                continue;
+            }
+            double flux = transfer(c, c->T[i], c->T[next]) / (g->d[a] * g->d[a]);
+            c->rate[i] += flux, c->rate[next] -= flux;
+        }
+    }
+}
+
+static void start_rates(struct cells *c, double t) {
+    const struct ftcs_grid *g = &c->g;
+    c->most = 0;
+    for (int i = 0; i < g->n[0] * g->n[1]; i++) {
+        double x[DIM_MAX] = {g->origin[0] + i % g->n[0] * g->d[0], g->origin[1] + i / g->n[0] * g->d[1]};
+        double k = conductivity(c->p, c->T[i]);
+        c->rate[i] = problem_source(c->p, x, t);
+        c->heating = fmax(c->heating, fabs(c->rate[i]));
+        if (k > c->most) c->most = k, c->hottest = i;
+    }
+}
+
+/* Refuses at a point outside the data by more than their range and the heat received; a NaN is outside. */
+static int check(const struct cells *c, long long step, struct failure *why) {
+    const struct ftcs_grid *g = &c->g;
+    double slack = c->hi - c->lo + 2 * c->heating * c->p->t_end / g->rho_c + 1e-6 * fabs(c->hi);
+    double fourier = g->dt * c->most / g->rho_c * (1 / (g->d[0] * g->d[0]) + (g->dim == 2) / (g->d[1] * g->d[1]));
+    int i = 0, all = g->n[0] * g->n[1];
+    while (i < all && c->T[i] >= c->lo - slack && c->T[i] <= c->hi + slack) i++;
+    if (i == all && fourier <= 0.5 * (1 + 1e-9)) return STATUS_OK;
+    if (i == all) i = c->hottest;
+    return refuse(why, STATUS_UNSTABLE,
+                  "%s: unstable at step %lld of %lld, t = %g s: T = %g K at (%g, %g) m; dt k/rho_c (1/dx^2 + 1/dy^2) "
+                  "is %g for the largest k(T), stable up to 0.5; use a smaller --dt",
+                  g->method, step, g->steps, (double)step * g->dt, c->T[i], g->origin[0] + i % g->n[0] * g->d[0],
+                  g->dim == 2 ? g->origin[1] + i / g->n[0] * g->d[1] : 0, fourier);
+}
+
+static int run(struct cells *c, struct failure *why) {
+    const struct ftcs_grid *g = &c->g;
+    for (long long step = 0; step < g->steps; step++) {
+        start_rates(c, (double)step * g->dt);
+        add_faces(c, (double)step * g->dt);
+        if (check(c, step, why)) return why->status;
+        for (int i = 0; i < g->n[0] * g->n[1]; i++) c->T[i] += g->dt / g->rho_c * c->rate[i];
+    }
+    start_rates(c, c->p->t_end);
+    return check(c, g->steps, why);
+}
+
+static void take_start(struct cells *c, enum sampling how, struct field *f) {
+    const struct ftcs_grid *g = &c->g;
+    field_alloc(f, g->dim, (size_t)g->n[0] * (size_t)g->n[1]);
+    c->lo = INFINITY, c->hi = -INFINITY;
+    for (size_t i = 0; i < f->n; i++) {
+        size_t nx = (size_t)g->n[0];
+        double x[DIM_MAX] = {g->origin[0] + (double)(i % nx) * g->d[0], g->origin[1] + (double)(i / nx) * g->d[1]};
+        f->x[i] = x[0];
+        if (f->y) f->y[i] = x[1];
+        f->T[i] = ftcs_sample(c->p, x, g->d, how);
+        c->lo = fmin(c->lo, f->T[i]), c->hi = fmax(c->hi, f->T[i]);
+    }
+    f->range[0] = c->lo, f->range[1] = c->hi;
+}
+
+static double heat_of(const struct cells *c) {
+    const struct ftcs_grid *g = &c->g;
+    double sum = 0;
+    for (int i = 0; i < g->n[0] * g->n[1]; i++) sum += c->T[i];
+    return sum * g->rho_c * g->d[0] * g->d[1];
+}
+
+int ftcs_nonlinear_solve(const char *method, const struct problem *p, const struct options *o, struct field *out,
+                         struct failure *why) {
+    double called = field_clock();
+    struct cells c = {.p = p, .mean = o->mean};
+    struct field f;
+    if (ftcs_plan(&c.g, method, 0, p, o, why)) return why->status;
+    take_start(&c, o->sampling, &f);
+    c.T = f.T;
+    c.rate = xcalloc(f.n, sizeof *c.rate);
+    f.heat[0] = heat_of(&c);
+    double stepping = field_clock();
+    int status = run(&c, why);
+    f.heat[1] = heat_of(&c);
+    f.cost.step_seconds = field_clock() - stepping;
+    free(c.rate);
+    f.time = p->t_end, f.dt = c.g.dt, f.steps = c.g.steps, f.stages = 1;
+    for (int a = 0; a < DIM_MAX; a++) {
+        f.shape[a] = a < p->dim ? c.g.n[a] : 1;
+        f.spacing[a] = a < p->dim ? c.g.d[a] : 0;
+    }
+    f.cost.updates = f.steps * (long long)f.n;
+    f.cost.interactions = 2 * p->dim * f.cost.updates;
+    f.cost.work = WORK_SCALAR * ((double)f.cost.interactions + 2 * WORK_FUNCTION * (double)f.cost.updates);
+    f.cost.bytes = f.n * (size_t)(p->dim + 2) * sizeof(double);
+    f.cost.seconds = field_clock() - called;
+    if (status)
+        field_free(&f);
+    else
+        *out = f;
+    return status;
+}
