@@ -4,10 +4,10 @@
  *
  * On a box of extent h, for f that varies over the length l, the error of the rule is 1.9e-16 (h/l)^12 of f with 6
  * points, 5.6e-10 (h/l)^8 with 4 (remainder term; Abramowitz and Stegun 1964, 25.4.30); on the halves it is 4096 or
- * 256 times smaller.  If the two results differ by at most 1e-14 of f, the result of the halves is accepted and the
- * difference is its error estimate, by the same factor too large unless the errors of the parts cancel.  Otherwise
- * the halves become boxes themselves, until they are too small to matter.  A cell of a mesh, h/l < 0.1, needs one
- * halving with either rule: 9 times 64 values in space, where 6 points take 9 times 216.
+ * 256 times smaller.  If the two results differ by at most 1e-14 of f (1e-11 in space), the result of the halves is
+ * accepted and the difference is its error estimate, by the same factor too large unless the errors of the parts
+ * cancel.  Otherwise the halves become boxes themselves, until they are too small to matter.  In space a cell of a
+ * mesh, h/l < 0.1, takes 9 times 64 values and is exact to rounding with one halving.
  *
  * The rule misses features that are narrow compared with the box.  The caller lists the places of such features, and
  * boxes are graded towards them by factors of four. */
@@ -84,7 +84,7 @@ static double box(struct integrand *g, const double *lo, const double *hi, struc
     }
     double apart = fabs(mean.value - once.value), middle = (lo[0] + hi[0]) / 2;
     int small = !(middle > lo[0] && middle < hi[0]) || share * apart <= 1e-17 * g->size;
-    if (!(apart > 1e-14 * g->size) || apart <= 2 * mean.error || small) { /* true for a NaN as well */
+    if (!(apart > (g->dim == 3 ? 1e-11 : 1e-14) * g->size) || apart <= 2 * mean.error || small) { /* true for a NaN as well */
         g->error += share * (mean.error + apart);
         return share * mean.value;
     }

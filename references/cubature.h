@@ -20,7 +20,7 @@ struct cubature_knots {
     } knot[DIM_MAX][CUBATURE_KNOTS];
 };
 
-/* Mean of f over [lo, hi] of dim axes, 1 to 3.  The error is about 1e-14 of the largest |f|
+/* Mean of f over [lo, hi] of dim axes, 1 to 3.  The error is about 1e-14 (in space 1e-11) of the largest |f|
  * sampled, or the mean of the errors that f reports if that is larger; `error` is an estimate that includes both. */
 struct approx cubature_mean(struct approx (*f)(const void *data, const double *x), const void *data, int dim,
                             const double *lo, const double *hi, const struct cubature_knots *knots);

@@ -19,8 +19,12 @@
 #include <string.h>
 
 /* Names of the wall fluxes, indexed by enum side. */
-static const char *const plane_flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
+static const char *const plane_flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo",
+                                         "flux_y_hi", "flux_z_lo", "flux_z_hi"};
 static const char *const round_flux[] = {"flux_r_lo", "flux_r_hi"};
+/* By dimension. */
+static const char *const point_form[] = {"", "X", "X,Y", "X,Y,Z"};
+static const char *const point_like[] = {"", "at:0.1", "at:0.1,0.2", "at:0.1,0.2,0.3"};
 
 static int read_place(const char *text, const struct problem *p, struct quantity *q, struct failure *why) {
     const char *at = text + strlen("at:");
@@ -30,15 +34,14 @@ static int read_place(const char *text, const struct problem *p, struct quantity
         q->at[a] = strtod(at, &end);
         if (end == at || *end != (a + 1 < p->dim ? ',' : '\0') || !isfinite(q->at[a]))
             return refuse(why, STATUS_INPUT, "quantity '%.60s': at: needs %s, such as %s", text,
-                          p->dim == 2 ? "X,Y" : "one number", p->dim == 2 ? "at:0.1,0.2" : "at:0.1");
+                          p->dim > 1 ? point_form[p->dim] : "one number", point_like[p->dim]);
         if (q->at[a] < p->lo[a] || q->at[a] > p->hi[a])
-            return refuse(why, STATUS_INPUT, "quantity '%.60s': %c = %g m is outside %g to %g m", text, a ? 'y' : 'x',
-                          q->at[a], p->lo[a], p->hi[a]);
+            return refuse(why, STATUS_INPUT, "quantity '%.60s': %c = %g m is outside %g to %g m", text, "xyz"[a],
+                          q -> at[a], p -> lo[a], p -> hi[a]);
         at = end + 1;
     }
     if (p->shape && shape_depth(p, q->at) < 0)
-        return refuse(why, STATUS_INPUT, "quantity '%.60s': (%g, %g) m is outside the %s", text, q->at[0], q->at[1],
-                      p->shape->name);
+        return refuse(why, STATUS_INPUT, "quantity '%.60s': outside the %s", text, p->shape->name);
     return STATUS_OK;
 }
 
@@ -52,17 +55,17 @@ int quantity_read(const char *text, const struct problem *p, struct quantity *q,
         *q = (struct quantity){.kind = QUANTITY_FLUX, .side = (enum side)s};
         return STATUS_OK;
     }
-    char valid[64] = "";
+    char valid[100] = "";
     for (int s = 0; s < 2 * p->dim; s++)
         if (shape_has_wall(p, s)) strcat(strcat(valid, flux[s]), ", ");
     return refuse(why, STATUS_INPUT, "unknown quantity '%.60s' (valid: %sheat, at:%s)", text, valid,
-                  p->dim == 2 ? "X,Y" : "X");
+                  point_form[p->dim]);
 }
 
 const char *quantity_unit(const struct quantity *q, const struct problem *p) {
     if (q->kind == QUANTITY_AT) return "K";
-    if (q->kind == QUANTITY_HEAT) return p->dim == 1 ? "J/m^2" : "J/m";
-    return p->dim == 1 ? "W/m^2" : "W/m";
+    if (q->kind == QUANTITY_HEAT) return p->dim == 1 ? "J/m^2" : p->dim == 2 ? "J/m" : "J";
+    return p->dim == 1 ? "W/m^2" : p->dim == 2 ? "W/m" : "W";
 }
 
 /* Data of the integrands. */
@@ -71,39 +74,49 @@ struct field_at {
     enum side side;
 };
 
-static const struct material *material_at(const struct problem *p, const double x[2]) {
+static const struct material *material_at(const struct problem *p, const double *x) {
     return &p->material[p->materials == 2 && x[0] >= p->interface];
 }
 
-static struct approx heat_density(const void *data, const double x[2]) {
+static struct approx heat_density(const void *data, const double *x) {
     const struct field_at *f = data;
     struct exact e = snapshot_at(&f->now, x);
     double rho_c = material_at(f->now.problem, x)->rho_c;
     return (struct approx){rho_c * e.temperature, rho_c * e.error_bound};
 }
 
-/* k dT/dn on the side f->side. along[0] is the coordinate along the side; on a round wall it is the angle. */
-static struct approx flux_density(const void *data, const double along[2]) {
+/* The point of a round body at distance r from 0, at the angle (a disc) or at longitude and colatitude (a ball).
+ * Returns the measure of the unit circle or sphere per angle. */
+static double place_round(const struct problem *p, double r, const double *angle, double x[DIM_MAX]) {
+    double across = p->dim == 3 ? sin(angle[1]) : 1;
+    x[0] = r * across * cos(angle[0]), x[1] = r * across * sin(angle[0]);
+    x[2] = p->dim == 3 ? r * cos(angle[1]) : 0;
+    return across;
+}
+
+/* k dT/dn on the side f->side, per coordinate along the side; on a round wall per angle and radius^(dim-1). */
+static struct approx flux_density(const void *data, const double *along) {
     const struct field_at *f = data;
     const struct problem *p = f->now.problem;
     int s = (int)f->side, a = p->shape ? 0 : s / 2;
-    double x[2] = {along[0], p->dim == 2 ? along[0] : 0}, u[2] = {cos(along[0]), sin(along[0])};
-    if (p->shape)
-        x[0] = p->radius[s] * u[0], x[1] = p->radius[s] * u[1];
-    else
-        x[a] = s % 2 ? p->hi[a] : p->lo[a];
+    double x[DIM_MAX] = {0}, per = 1, slope = 0, bound = 0;
+    for (int d = 0, n = 0; d < p->dim; d++) x[d] = d == a ? (s % 2 ? p->hi[a] : p->lo[a]) : along[n++];
+    if (p->shape) per = place_round(p, p->radius[s], along, x);
     double wall = p->wall(p, f->side, x, f->now.time), b = p->robin[s];
-    if (p->side[s] == NEUMANN) return (struct approx){wall, 0};
+    if (p->side[s] == NEUMANN) return (struct approx){per * wall, 0};
     struct exact e = snapshot_at(&f->now, x);
-    if (p->side[s] == ROBIN) return (struct approx){b * (wall - e.temperature), b * e.error_bound};
+    if (p->side[s] == ROBIN) return (struct approx){per * b * (wall - e.temperature), b * e.error_bound};
     double k = kirchhoff_along(p, material_at(p, x), a, e.temperature);
-    double slope = p->shape ? u[0] * e.gradient[0] + u[1] * e.gradient[1] : e.gradient[a];
-    double bound = p->shape ? e.gradient_bound[0] + e.gradient_bound[1] : e.gradient_bound[a];
-    return (struct approx){s % 2 ? k * slope : -k * slope, k * bound};
+    for (int d = 0; d < p->dim; d++) {
+        if (!p->shape && d != a) continue;
+        slope += p->shape ? x[d] / p->radius[s] * e.gradient[d] : e.gradient[d];
+        bound += e.gradient_bound[d];
+    }
+    return (struct approx){per * (s % 2 ? k * slope : -k * slope), k * bound};
 }
 
 /* Knots of an axis: ends, jumps, interface, and on a rod the middle, the place of its pulse.  Initial data in the
- * plane have no pulse. */
+ * plane and in space have no pulse. */
 static void add_knots(const struct problem *p, int axis, int place, struct cubature_knots *knots) {
     double at[CUBATURE_KNOTS] = {p->lo[axis], p->hi[axis]};
     int n = 2;
@@ -112,29 +125,32 @@ static void add_knots(const struct problem *p, int axis, int place, struct cubat
     if (axis == 0 && p->materials == 2) at[n++] = p->interface;
     for (int i = 0; i < n; i++) {
         knots->knot[place][i].at = at[i];
-        knots->knot[place][i].graded = 1;
+        knots->knot[place][i].graded = p->dim < 3; /* in space the data are smooth, or halving finds the place */
     }
     knots->count[place] = n;
 }
 
-/* In two dimensions no feature is narrower than the diffusion length at t > 0. */
+/* In a plane or in space no feature is narrower than the diffusion length at t > 0. */
 static int grades_for(const struct problem *p, double t) {
     double kappa = INFINITY, extent = 0;
     for (int a = 0; a < p->dim; a++) {
         for (int m = 0; m < p->materials; m++) kappa = fmin(kappa, p->material[m].k[a] / p->material[m].rho_c);
         extent = fmax(extent, p->hi[a] - p->lo[a]);
     }
-    return p->dim == 2 && t > 0 ? 1 + (int)fmax(0, ceil(log2(extent / sqrt(4 * kappa * t)) / 2)) : 0;
+    return p->dim > 1 && t > 0 ? 1 + (int)fmax(0, ceil(log2(extent / sqrt(4 * kappa * t)) / 2)) : 0;
 }
 
-/* Integrand over a round body, at = (r, theta): r times the density. */
-static struct approx round_heat_density(const void *data, const double at[2]) {
-    struct approx d = heat_density(data, (const double[2]){at[0] * cos(at[1]), at[0] * sin(at[1])});
-    return (struct approx){at[0] * d.value, at[0] * d.error};
+/* Integrand over a round body, at = (r, angles): the density times r^(dim-1). */
+static struct approx round_heat_density(const void *data, const double *at) {
+    const struct field_at *f = data;
+    double x[DIM_MAX], per = at[0] * place_round(f->now.problem, at[0], at + 1, x);
+    if (f->now.problem->dim == 3) per *= at[0];
+    struct approx d = heat_density(data, x);
+    return (struct approx){per * d.value, per * d.error};
 }
 
-/* Integral over [lo, hi]; `size` is its length or area. */
-static struct quantity_value integral(struct approx (*density)(const void *f, const double at[2]),
+/* Integral over [lo, hi] of dim axes. */
+static struct quantity_value integral(struct approx (*density)(const void *f, const double *at),
                                       const struct field_at *f, int dim, const double *lo, const double *hi,
                                       double size, const struct cubature_knots *knots) {
     struct approx mean = cubature_mean(density, f, dim, lo, hi, knots);
@@ -143,11 +159,11 @@ static struct quantity_value integral(struct approx (*density)(const void *f, co
 
 static struct quantity_value heat(struct field_at *f) {
     const struct problem *p = f->now.problem;
-    const double *R = p->radius, around[2] = {R[0], 0}, upto[2] = {R[1], 2 * M_PI};
+    const double *R = p->radius, around[] = {R[0], 0, 0}, upto[] = {R[1], 2 * M_PI, M_PI};
     struct cubature_knots knots = {.count = {p->shape ? 2 : 0, 0}, .grades = grades_for(p, f->now.time)};
-    double volume = 1;
-    for (int s = 0; s < knots.count[0]; s++) knots.knot[0][s].at = R[s], knots.knot[0][s].graded = 1;
-    if (p->shape) return integral(round_heat_density, f, 2, around, upto, (R[1] - R[0]) * 2 * M_PI, &knots);
+    double volume = 1, angles = p->dim == 3 ? 2 * M_PI * M_PI : 2 * M_PI;
+    for (int s = 0; s < knots.count[0]; s++) knots.knot[0][s].at = R[s], knots.knot[0][s].graded = p->dim < 3;
+    if (p->shape) return integral(round_heat_density, f, p->dim, around, upto, (R[1] - R[0]) * angles, &knots);
     for (int a = 0; a < p->dim; a++) {
         volume *= p->hi[a] - p->lo[a];
         add_knots(p, a, a, &knots);
@@ -155,25 +171,40 @@ static struct quantity_value heat(struct field_at *f) {
     return integral(heat_density, f, p->dim, p->lo, p->hi, volume, &knots);
 }
 
+/* 1 if the side and one next to it, each at its temperature, disagree: at a corner, or in the middle of an edge. */
+static int disagrees(const struct field_at *f, int axis) {
+    const struct problem *p = f->now.problem;
+    for (int end = 0; end < 2 * p->dim && p->side[f->side] == DIRICHLET; end++) {
+        double x[DIM_MAX];
+        if (end / 2 == axis) continue;
+        for (int d = 0; d < p->dim; d++) x[d] = (p->lo[d] + p->hi[d]) / 2;
+        x[axis] = f->side % 2 ? p->hi[axis] : p->lo[axis];
+        x[end / 2] = end % 2 ? p->hi[end / 2] : p->lo[end / 2];
+        if (snapshot_at(&f->now, x).no_value) return 1;
+    }
+    return 0;
+}
+
 static struct quantity_value flux(struct field_at *f) {
     const struct problem *p = f->now.problem;
-    struct cubature_knots knots = {.count = {0, 0}};
-    double lo[2] = {0, 0}, hi[2] = {2 * M_PI, 0};
-    if (p->shape) return integral(flux_density, f, 1, lo, hi, 2 * M_PI * p->radius[f->side], &knots);
-    int axis = f->side < Y_LO;
+    struct cubature_knots knots = {.grades = p->dim == 3 ? grades_for(p, f->now.time) : 0};
+    double lo[2] = {0, 0}, hi[2] = {2 * M_PI, M_PI}, R = p->radius[f->side % 2], size = 1;
+    if (p->shape)
+        return integral(flux_density, f, p->dim - 1, lo, hi, p->dim == 3 ? 2 * M_PI * M_PI * R * R : 2 * M_PI * R,
+                        &knots);
+    int axis = (int)f->side / 2, n = 0;
     if (p->dim == 1) {
-        struct approx end = flux_density(f, (double[2]){0, 0});
+        struct approx end = flux_density(f, lo);
         return (struct quantity_value){end.value, end.error, 0};
     }
-    for (int end = 0; end < 2 && p->side[f->side] == DIRICHLET; end++) {
-        double corner[2];
-        corner[1 - axis] = f->side % 2 ? p->hi[1 - axis] : p->lo[1 - axis];
-        corner[axis] = end ? p->hi[axis] : p->lo[axis];
-        if (snapshot_at(&f->now, corner).no_value) return (struct quantity_value){NAN, NAN, 1};
+    if (disagrees(f, axis)) return (struct quantity_value){NAN, NAN, 1};
+    for (int a = 0; a < p->dim; a++) {
+        if (a == axis) continue;
+        lo[n] = p->lo[a], hi[n] = p->hi[a];
+        size *= hi[n] - lo[n];
+        add_knots(p, a, n++, &knots);
     }
-    lo[0] = p->lo[axis], hi[0] = p->hi[axis];
-    add_knots(p, axis, 0, &knots);
-    return integral(flux_density, f, 1, lo, hi, hi[0] - lo[0], &knots);
+    return integral(flux_density, f, p->dim - 1, lo, hi, size, &knots);
 }
 
 struct quantity_value quantity_exact(const struct quantity *q, const struct scene *s, const struct problem *p,

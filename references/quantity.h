@@ -10,8 +10,8 @@ enum quantity_kind { QUANTITY_FLUX, QUANTITY_HEAT, QUANTITY_AT };
 
 struct quantity {
     enum quantity_kind kind;
-    enum side side; /* for QUANTITY_FLUX */
-    double at[2];   /* m, for QUANTITY_AT */
+    enum side side;     /* for QUANTITY_FLUX */
+    double at[DIM_MAX]; /* m, for QUANTITY_AT */
 };
 
 struct quantity_value {
@@ -22,11 +22,11 @@ struct quantity_value {
 };
 
 /* Parses the name of a quantity.
- *   flux_x_lo, flux_x_hi, flux_y_lo, flux_y_hi   heat flow into a rod or rectangle through that side
- *   flux_r_lo, flux_r_hi                         the same through the inner or outer wall of a round body
- *   heat                                         rho_c T integrated over the body, J m^-2 or J m^-1
- *   at:X or at:X,Y                               temperature at a point, K
- * A flux is k dT/dn at the end of a rod, W m^-2, or its integral along the side, W m^-1.  Returns STATUS_OK or
+ *   flux_x_lo, flux_x_hi, flux_y_lo ... flux_z_hi   heat flow into a rod, rectangle or box through that side
+ *   flux_r_lo, flux_r_hi                            the same through the inner or outer wall of a round body
+ *   heat                                            rho_c T integrated over the body, J m^(dim-3)
+ *   at:X, at:X,Y or at:X,Y,Z                        temperature at a point, K
+ * A flux is k dT/dn at the end of a rod, W m^-2, or its integral over the side, W m^(dim-3).  Returns STATUS_OK or
  * STATUS_INPUT. */
 int quantity_read(const char *text, const struct problem *p, struct quantity *q, struct failure *why);
 

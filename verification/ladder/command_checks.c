@@ -85,7 +85,7 @@ int command_check(const struct command *c, struct failure *why) {
          "LO,HI such as 1.9,2.1"},
         {o->aspect > 0 && (!plane || round), "aspect", "the scene is no rectangle", "a scene on a rectangle"},
         {map->axes && map->axes != p->dim, "map", axes[p->dim], maps[p->dim]},
-        {c->origin.count > 0 && c->origin.count != p->dim, "origin", "it is a point",
+        {round && c->origin.count > 0 && c->origin.count != p->dim, "origin", "it is a point",
          p->dim == 3 ? "X,Y,Z, in dx" : "X,Y, in dx"},
         {round && command_given(c, "shift"), "shift", "it is for plane walls, the scene is round",
          p->dim == 3 ? "--origin X,Y,Z and --angle A" : "--origin X,Y and --angle A"},

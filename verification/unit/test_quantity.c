@@ -19,11 +19,12 @@ static struct quantity_value of(const char *name, const struct scene *s, const s
 }
 
 static double source_of(const struct problem *p, double t) { /* the integral over the body, by Gauss's rule of two */
-    enum { N = 400 };
-    double sum = 0, area = (p->hi[0] - p->lo[0]) * (p->dim == 2 ? p->hi[1] - p->lo[1] : 1);
-    for (int i = 0; (p->source || p->source_at) && i < N * N; i++) {
-        double x[2];
-        for (int a = 0, at[2] = {i % N, i / N}; a < 2; a++) /* two in each of N/2 parts */
+    const int N = p->dim == 3 ? 100 : 400, all = N * N * (p->dim == 3 ? N : 1);
+    double sum = 0, volume = 1;
+    for (int a = 0; a < p->dim; a++) volume *= p->hi[a] - p->lo[a];
+    for (int i = 0; (p->source || p->source_at) && i < all; i++) {
+        double x[DIM_MAX] = {0};
+        for (int a = 0, at[DIM_MAX] = {i % N, i / N % N, i / N / N}; a < p->dim; a++) /* two in each of N/2 parts */
             x[a] = p->lo[a] + (at[a] / 2 * 2 + 1 + (at[a] % 2 ? 1 : -1) / sqrt(3)) / N * (p->hi[a] - p->lo[a]);
         if (p->shape) { /* box of r and theta */
             double whole = p->hi[0] - p->lo[0],
@@ -32,7 +33,7 @@ static double source_of(const struct problem *p, double t) { /* the integral ove
             sum += problem_source(p, polar, t) * r * 2 * M_PI * (p->radius[1] - p->radius[0]) / (N * N);
             continue;
         }
-        sum += problem_source(p, x, t) * area / (N * N);
+        sum += problem_source(p, x, t) * volume / all;
     }
     return sum;
 }
@@ -41,14 +42,14 @@ static double source_of(const struct problem *p, double t) { /* the integral ove
  * Dirichlet side's flux from gradients. */
 static void insulated_bodies_keep_their_heat(void **state) {
     (void)state;
-    static const char *const plane[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
+    static const char *const flat[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi", "flux_z_lo", "flux_z_hi"};
     static const char *const round[] = {"flux_r_lo", "flux_r_hi"};
     static const double weight[] = {0, 0.75, -0.15, 1.0 / 60};
     for (const struct scene *const *s = scenes; *s; s++) {
         struct problem p;
         odd_setup(*s, &p);
-        if (p.dim > 2) continue;
-        if (strcmp((*s)->name, "plate") == 0) /* sides that agree: else their fluxes are infinite */
+        if (strcmp((*s)->name, "cube-step") == 0) continue; /* square-step has its forms; in space they take long */
+        if (strcmp((*s)->name, "plate") == 0)               /* sides that agree: else their fluxes are infinite */
             p.param[2] = p.param[3] = p.param[4] = p.param[5];
         double t = 0.6 * p.t_end, dt = 0.02 * t, rate = 0, in = source_of(&p, t), size = fabs(in), error = 0;
         size += fabs(of("heat", *s, &p, t).value) / t;
@@ -60,7 +61,7 @@ static void insulated_bodies_keep_their_heat(void **state) {
             }
         for (int i = 0; i < 2 * p.dim; i++) {
             if (!shape_has_wall(&p, i)) continue;
-            struct quantity_value through = of((p.shape ? round : plane)[i], *s, &p, t);
+            struct quantity_value through = of((p.shape ? round : flat)[i], *s, &p, t);
             in += through.value;
             size += fabs(through.value);
             error += through.error_bound;
