@@ -22,7 +22,5 @@ const struct method *method_find(const char *name) {
 
 int method_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why) {
-    if (p->dim > 2 && m->scheme)
-        return refuse(why, STATUS_NOT_APPLICABLE, "%s has one or two dimensions, not %d", m->name, p->dim);
     return m->solve(m, p, o, f, why);
 }

@@ -114,9 +114,12 @@ static void data_range(const struct problem *p, const struct field *f, double *l
     *lo = f->range[0], *hi = f->range[1];
     double flux[SIDES] = {0};
     for (int s = 0; s < 2 * p->dim; s++)
-        for (int k = 0; k <= 8 && shape_has_wall(p, s); k++) {
-            double at[2] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, for a round wall */
-            for (int a = 0; a < 2 && !p->shape; a++) at[a] = p->lo[a] + k / 8.0 * (p->hi[a] - p->lo[a]);
+        for (int k = 0; k < (p->dim == 3 ? 81 : 9) && shape_has_wall(p, s); k++) {
+            double at[DIM_MAX] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, for a round wall */
+            for (int a = 0; a < p->dim && !p->shape; a++) {
+                int first = a == (s / 2 == 0) || p->dim < 3; /* of the two tangents of a side of a box */
+                at[a] = p->lo[a] + (first ? k % 9 : k / 9) / 8.0 * (p->hi[a] - p->lo[a]);
+            }
             struct foot foot = shape_foot(p, s, at);
             double least = HUGE_VAL, most = -HUGE_VAL;
             problem_wall_range(p, (enum side)s, foot.x, &least, &most);

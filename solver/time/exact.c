@@ -5,7 +5,7 @@
  * the walls diagonalises A.  The eigenvalues are the symbol at the wave numbers of the transform:
  *
  *     T^(t) = exp(lambda t) T^(0) + t phi(lambda t) g^,   phi(z) = (exp(z) - 1) / z,
- *     lambda = sum_ij w_ij cos(i theta_x) cos(j theta_y).
+ *     lambda = sum_ijk w_ijk cos(i theta_x) cos(j theta_y) cos(k theta_z).
  *
  * In the plane two properties reduce the work below that of two full transforms:
  *   - If elimination shows that the data are a sum of R products X(x) Y(y), 2 R lines are transformed instead.
@@ -30,8 +30,8 @@ struct modes {
     const struct heat_operator *a;
     const struct lattice *l;
     struct transform *transform;
-    double t;           /* s */
-    double *versine[2]; /* cos(i theta_k) - 1 times the multiplicity of +-i, at [i n + k] */
+    double t;                 /* s */
+    double *versine[DIM_MAX]; /* cos(i theta_k) - 1 times the multiplicity of +-i, at [i n + k] */
 };
 
 /* cos x - 1 = -2 sin^2(x/2) has a relative error of a few eps at any x. */
@@ -49,17 +49,17 @@ static double *versines(const struct heat_operator *a, int axis) {
     return table;
 }
 
-/* Eigenvalues of the modes (k, m), k = 0 .. n[0] - 1.  A constant field is steady, so the exact sum of the weights
- * is zero.  Its rounding error, eps kappa/dx^2, would be comparable with the slowest eigenvalues.  Therefore
- * lambda = sum_ij w_ij (cos a cos b - 1), with cos a cos b - 1 = (cos a - 1) cos b + (cos b - 1). */
-static void rates(const struct modes *s, int m, double *restrict lambda) {
+/* Eigenvalues of the modes (k, m), k = 0 .. n[0] - 1, plus `across`, for the quadrant w of weights.  A constant field
+ * is steady, so the exact sum of the weights is zero.  Its rounding error, eps kappa/dx^2, would be comparable with
+ * the slowest eigenvalues.  Therefore lambda = sum_ij w_ij (cos a cos b - 1), with cos a cos b - 1 = (cos a - 1) cos
+ * b + (cos b - 1). */
+static void rates(const struct modes *s, const double *w, double across, int m, double *restrict lambda) {
     int rx = s->a->reach[0], ry = s->a->reach[1], nx = s->l->n[0], ny = s->l->n[1];
-    double across = 0;
     for (int i = 0; i <= rx; i++) {
         const double *restrict versine = s->versine[0] + (size_t)i * (size_t)nx;
         double column = 0;
         for (int j = 0; j <= ry; j++) {
-            double weight = s->a->weight[j * (rx + 1) + i], other = s->versine[1][j * ny + m];
+            double weight = w[j * (rx + 1) + i], other = s->versine[1][j * ny + m];
             column += weight * ((j ? 2 : 1) + other);
             across += (i ? 2 : 1) * weight * other;
         }
@@ -69,6 +69,24 @@ static void rates(const struct modes *s, int m, double *restrict lambda) {
             for (int k = 0; k < nx; k++) lambda[k] += column * versine[k];
     }
     for (int k = 0; k < nx; k++) lambda[k] += across;
+}
+
+/* The quadrant w of the modes with wave number q along z of a box, and the rate of the mode constant in x and y. */
+static double fold(const struct modes *s, int q, double *w) {
+    const int *reach = s->a->reach, nz = s->l->n[2];
+    double across = 0;
+    for (int j = 0; j <= reach[1]; j++)
+        for (int i = 0; i <= reach[0]; i++, w++) {
+            double bent = 0;
+            *w = 0;
+            for (int k = 0; k <= reach[2]; k++) {
+                double weight = s->a->weight[operator_offset(reach, i, j, k)], versine = s->versine[2][k * nz + q];
+                *w += weight * ((k ? 2 : 1) + versine);
+                bent += weight * versine;
+            }
+            across += operator_images(i, j, 0) * bent;
+        }
+    return across;
 }
 
 static double decay(double z) {
@@ -107,7 +125,7 @@ static void transform_factors(const struct modes *s, struct products *p,
 
 /* Returns 1 and the transform of F as products if F is a sum of few products; else 0. */
 static int product_transform(const struct modes *s, const double *F, struct products *p) {
-    if (s->l->dim < 2 || !products_split(F, s->l->n, 4 * DBL_EPSILON, worthwhile(s, 1), p)) return 0;
+    if (s->l->dim != 2 || !products_split(F, s->l->n, 4 * DBL_EPSILON, worthwhile(s, 1), p)) return 0;
     transform_factors(s, p, transform_line_forward);
     return 1;
 }
@@ -143,7 +161,7 @@ static void survivors(const struct modes *s, const struct products *p, int *keep
     double *lambda = xcalloc((size_t)nx, sizeof *lambda), least = least_exponent(s) / s->t;
     for (int m = 0; m < ny; m++) {
         int any = 0;
-        rates(s, m, lambda);
+        rates(s, s->a->weight, 0, m, lambda);
         for (int k = 0; k < nx; k++) {
             int survives = !(lambda[k] < least);
             any += survives;
@@ -164,7 +182,7 @@ static void amplitudes(const struct modes *s, const struct products *p, int *con
     double *lambda = xcalloc((size_t)s->l->n[0], sizeof *lambda), scale = 1 / transform_scale(s->l);
     double least = least_exponent(s);
     for (int m = 0; m < count[1]; m++) {
-        rates(s, keep[1][m], lambda);
+        rates(s, s->a->weight, 0, keep[1][m], lambda);
         for (int k = 0; k < count[0]; k++) {
             double sum = 0, z = lambda[keep[0][k]] * s->t;
             if (z < least) continue;
@@ -223,17 +241,22 @@ static void coefficients(const struct modes *s, const struct products *p, double
 
 /* Advances the coefficients T by the time t; g are the coefficients of the source, or NULL. */
 static void advance_all(const struct modes *s, double *T, const double *g) {
-    int nx = s->l->n[0], ny = s->l->n[1];
+    int nx = s->l->n[0], ny = s->l->n[1], nz = s->l->n[2];
     double *lambda = xcalloc((size_t)nx, sizeof *lambda), scale = 1 / transform_scale(s->l);
-    for (int m = 0; m < ny; m++) {
-        rates(s, m, lambda);
-        for (int k = 0; k < nx; k++) {
-            size_t at = (size_t)m * (size_t)nx + (size_t)k;
-            double z = lambda[k] * s->t, mode = decay(z) * T[at];
-            if (g) mode += s->t * phi(z) * g[at];
-            T[at] = scale * mode;
+    double *w = xcalloc(operator_offset(s->a->reach, s->a->reach[0], s->a->reach[1], 0) + 1, sizeof *w);
+    size_t at = 0;
+    for (int q = 0; q < nz; q++) {
+        double across = fold(s, q, w);
+        for (int m = 0; m < ny; m++) {
+            rates(s, w, across, m, lambda);
+            for (int k = 0; k < nx; k++, at++) {
+                double z = lambda[k] * s->t, mode = decay(z) * T[at];
+                if (g) mode += s->t * phi(z) * g[at];
+                T[at] = scale * mode;
+            }
         }
     }
+    free(w);
     free(lambda);
 }
 
@@ -257,11 +280,11 @@ static void evolve_all(const struct modes *s, const struct products *start, doub
 static void evolve(const struct heat_operator *a, double t, double *T) {
     struct modes s = {.a = a, .l = &a->lattice, .t = t, .transform = transform_create(&a->lattice)};
     struct products start;
-    for (int axis = 0; axis < 2; axis++) s.versine[axis] = versines(a, axis);
+    for (int axis = 0; axis < DIM_MAX; axis++) s.versine[axis] = versines(a, axis);
     int product = product_transform(&s, T, &start);
     if (!(product && !a->g && evolve_few(&s, &start, T))) evolve_all(&s, product ? &start : NULL, T);
     if (product) products_free(&start);
-    for (int axis = 0; axis < 2; axis++) free(s.versine[axis]);
+    for (int axis = 0; axis < DIM_MAX; axis++) free(s.versine[axis]);
     transform_free(s.transform);
 }
 
@@ -275,9 +298,9 @@ static int needs(const struct problem *p, const struct options *o, const struct 
                 "--stepper exact: %d particles along an axis with a Robin wall; its modes need a table of n x n, "
                 "at most %d",
                 l->n[side / 2], TRANSFORM_ROBIN_MOST);
-    if ((l->shift[X_LO] > 0 && l->shift[X_HI] > 0 && l->n[0] < 2) ||
-        (l->dim == 2 && l->shift[Y_LO] > 0 && l->shift[Y_HI] > 0 && l->n[1] < 2))
-        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs two particles along an insulated axis");
+    for (int a = 0; a < l->dim; a++)
+        if (l->shift[2 * a] > 0 && l->shift[2 * a + 1] > 0 && l->n[a] < 2)
+            return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs two particles along an insulated axis");
     return STATUS_OK;
 }
 

@@ -7,7 +7,8 @@
  * are FFTW's r2r transforms ("1d Real-even DFTs", "1d Real-odd DFTs").
  *
  * One plan for a single line is applied line by line: FFTW's unmeasured plans for many lines are up to four times
- * slower.  Each pass writes rows along one axis to columns, so two passes transform the plane.  Plans of the first
+ * slower.  Each pass writes rows along one axis to columns, so a pass for each axis transforms
+ * a plane or a box.  Plans of the first
  * KEPT lengths are cached for the life of the program, because planning a short line takes thirty times as long as
  * its transform.  Results do not depend on the cache.
  *
@@ -47,15 +48,16 @@ static const struct basis bases[2][2][2] = {
 };
 
 struct axis {
-    int n, lines;
+    int n;
+    ptrdiff_t lines;
     double *mode;      /* phi_k(i) at [k n + i], of unit length; NULL if FFTW is used */
     fftw_plan plan[2]; /* forward, backward; for one line */
     int kept[2];       /* 1: in the cache, not to be destroyed */
 };
 
 struct transform {
-    int dim, is_square; /* is_square: both axes share one plan */
-    struct axis axis[2];
+    int dim;
+    struct axis axis[DIM_MAX];
 };
 
 static const struct basis *basis_of(const struct lattice *l, int axis) {
@@ -145,7 +147,8 @@ void transform_forget(void) {
 }
 
 static struct axis prepare(const struct lattice *l, int axis) {
-    struct axis a = {.n = l->n[axis], .lines = l->dim == 2 ? l->n[1 - axis] : 1};
+    struct axis a = {.n = l->n[axis], .lines = 1};
+    for (int d = 0; d < l->dim; d++) a.lines *= d == axis ? 1 : l->n[d];
     if (is_robin(l, axis)) {
         a.mode = robin_modes(l, axis);
         return a;
@@ -158,15 +161,12 @@ static struct axis prepare(const struct lattice *l, int axis) {
 struct transform *transform_create(const struct lattice *l) {
     struct transform *t = xcalloc(1, sizeof *t);
     t->dim = l->dim;
-    t->is_square =
-        l->dim == 2 && l->n[0] == l->n[1] && basis_of(l, 0) == basis_of(l, 1) && !is_robin(l, 0) && !is_robin(l, 1);
-    t->axis[0] = prepare(l, 0);
-    if (l->dim == 2) t->axis[1] = t->is_square ? t->axis[0] : prepare(l, 1);
+    for (int a = 0; a < l->dim; a++) t->axis[a] = prepare(l, a);
     return t;
 }
 
 void transform_free(struct transform *t) {
-    for (int a = 0; a < (t->is_square ? 1 : t->dim); a++) {
+    for (int a = 0; a < t->dim; a++) {
 #pragma omp critical(fftw_planner)
         for (int way = 0; way < 2; way++)
             if (!t->axis[a].mode && !t->axis[a].kept[way]) fftw_destroy_plan(t->axis[a].plan[way]);
@@ -220,25 +220,27 @@ static void pass(const struct axis *a, int way, const double *in, double *out, d
     }
 }
 
-static void both_passes(const struct transform *t, int way, double *T) {
-    size_t nx = (size_t)t->axis[0].n, ny = t->dim == 2 ? (size_t)t->axis[1].n : 1;
-    double *across = xcalloc(nx * ny, sizeof *across);
-    if (t->dim == 2) {
-        double *work = xcalloc(LINES * (nx > ny ? nx : ny), sizeof *work);
-        pass(&t->axis[0], way, T, across, work);
-        pass(&t->axis[1], way, across, T, work);
-        free(work);
-    } else {
-        line(&t->axis[0], way, T, across);
-        memcpy(T, across, nx * sizeof *T);
+/* One pass along each axis; each turns the order of the axes, and the last restores it. */
+static void all_passes(const struct transform *t, int way, double *T) {
+    size_t n = (size_t)t->axis[0].n * (size_t)t->axis[0].lines, longest = 0;
+    for (int a = 0; a < t->dim; a++)
+        if ((size_t)t->axis[a].n > longest) longest = (size_t)t->axis[a].n;
+    double *across = xcalloc(n, sizeof *across), *work = xcalloc(LINES * longest, sizeof *work), *in = T,
+           *out = across;
+    for (int a = 0; a < t->dim; a++) {
+        pass(&t->axis[a], way, in, out, work);
+        double *swap = in;
+        in = out, out = swap;
     }
+    if (in != T) memcpy(T, in, n * sizeof *T);
+    free(work);
     free(across);
 }
 
 void transform_forward(const struct transform *t, double *T) {
-    both_passes(t, 0, T);
+    all_passes(t, 0, T);
 }
 
 void transform_backward(const struct transform *t, double *T) {
-    both_passes(t, 1, T);
+    all_passes(t, 1, T);
 }

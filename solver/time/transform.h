@@ -18,7 +18,7 @@ void transform_free(struct transform *t);
 /* Releases the cached plans; no transform may be in use. */
 void transform_forget(void);
 
-/* Replaces T (n[0] x n[1], x fastest) by its coefficients, or back.  Forward and backward together multiply by
+/* Replaces T (n[0] x n[1] x n[2], x fastest) by its coefficients, or back.  Forward and backward together multiply by
  * transform_scale. */
 void transform_forward(const struct transform *t, double *T);
 void transform_backward(const struct transform *t, double *T);
