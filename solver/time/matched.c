@@ -116,11 +116,11 @@ static int check_order(const struct options *o, const char *option, struct failu
 int matched_isotropic(int dim, const struct options *o, const struct scheme *s, double *h, struct failure *why) {
     if (check_order(o, "--h iso", why)) return why->status;
     struct isotropy c = {.dim = dim == 3 ? 3 : 2, .o = *o, .s = s};
-    const double middle = 1.2, step = 1.0 / 16, least = 0.75, most = 3;
+    const double middle = c.dim == 3 ? 1 : 1.2, step = 1.0 / 16, least = 0.75, most = 3;
     double above = anisotropy(middle, &c), below = above, best = NAN;
-    /* Search outward from 1.2.  The weight of a new neighbour starts from zero, so B - 2 A is continuous in h and a
-     * change of sign is a root.  If both directions find one in the same step, the closer one is used.  The roots of
-     * a kernel are about 0.3 apart, and at least 0.1. */
+    /* Search outward from the middle.  The weight of a new neighbour starts from zero, so B - 2 A is continuous in h
+     * and a change of sign is a root.  If both directions find one in the same step, the closer one is used.  The
+     * roots of a kernel are about 0.3 apart, and at least 0.1. */
     for (int k = 1; isnan(best) && middle + (k - 1) * step < most; k++) {
         double far = middle + k * step, near = middle - k * step, up = anisotropy(far, &c), down = NAN;
         if (near > least) down = anisotropy(near, &c);

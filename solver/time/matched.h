@@ -18,8 +18,8 @@ struct symbol_error {
 int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
                    struct failure *why);
 
-/* The h/dx closest to 1.2 with an isotropic error (B = 2 A) on that lattice, on a rod that of the plane, to 1e-12.
- * Refuses if there is none. */
+/* The h/dx closest to 1.2, in space to 1, with an isotropic error (B = 2 A) on that lattice, on a rod that of the
+ * plane, to 1e-12.  Refuses if there is none. */
 int matched_isotropic(int dim, const struct options *o, const struct scheme *s, double *h, struct failure *why);
 
 /* Refuses initial data of unknown order, see matched.c. */
