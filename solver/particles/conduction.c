@@ -118,8 +118,8 @@ static double reflect(struct conduction *c, int side, const double *foot, double
 static double ghost_theta(struct conduction *c, size_t j, double t) {
     const struct problem *p = c->p;
     double at[DIM_MAX], ghost[DIM_MAX], theta = c->theta[c->cloud.source[j]];
-    cloud_place(&c->cloud, c->cloud.source[j], at);
-    cloud_place(&c->cloud, j, ghost);
+    layout_cloud_place(&c->cloud, c->cloud.source[j], at);
+    layout_cloud_place(&c->cloud, j, ghost);
     for (int a = 0; a < p->dim; a++) {
         int side = 2 * a + (ghost[a] > p->hi[a]);
         double wall = ghost[a] > p->hi[a] ? p->hi[a] : p->lo[a];
@@ -248,7 +248,7 @@ void conduction_rate(struct conduction *c, const double *T, double t, double *ou
                 sum += w * (c->operation == CURVATURE ? c->theta[j] - c->theta[i] : pair_flux(c, i, j));
         }
         if (c->operation == TWICE) sum /= p->material[0].rho_c;
-        cloud_place(&c->cloud, i, x);
+        layout_cloud_place(&c->cloud, i, x);
         double heating = problem_source(p, x, t) / p->material[0].rho_c;
         c->heating = fmax(c->heating, fabs(heating));
         out[i] = sum + heating;

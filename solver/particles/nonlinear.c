@@ -80,7 +80,7 @@ static int check_range(const struct run *r, const double data[2], struct failure
     double slack = hi - lo + 2 * heating * r->p->t_end + 1e-6 * fmax(fabs(lo), fabs(hi));
     for (size_t i = 0; i < r->n; i++) {
         if (r->T[i] >= lo - slack && r->T[i] <= hi + slack) continue;
-        cloud_place(conduction_cloud(r->c), i, x);
+        layout_cloud_place(conduction_cloud(r->c), i, x);
         return refuse(
             why, STATUS_UNSTABLE,
             "unstable: at step %lld (t = %.6g s) particle %zu at (%.6g, %.6g) m has %.4g K, the data are in "
@@ -154,7 +154,7 @@ static void start(const struct problem *p, const struct options *o, const struct
     f->range[0] = INFINITY, f->range[1] = -INFINITY;
     for (size_t i = 0; i < f->n; i++) {
         double x[DIM_MAX];
-        cloud_place(c, i, x);
+        layout_cloud_place(c, i, x);
         f->x[i] = x[0];
         if (f->y) f->y[i] = x[1];
         f->T[i] = sample_initial(p, o->sampling, l->dx, x);
