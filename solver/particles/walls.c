@@ -52,12 +52,6 @@ static struct wall_site site_of(const struct problem *p, const struct cloud *c, 
 
 /* ---- The particles near a dummy ---- */
 
-/* h: extent of a search; in space limited to NEIGHBOURS_MAX particles beside a wall. */
-static double widest(const struct walls_fill *w) {
-    const double most = 7.5; /* dx: a half ball of 880 particles */
-    return w->p->dim < 3 ? WALLS_WIDEST : fmin(WALLS_WIDEST, fmax(1, most / (KERNEL_SUPPORT * w->o->h)));
-}
-
 static void probe_create(struct walls_fill *w, const struct wall_treatment *t) {
     const struct cloud *c = w->c;
     struct cloud *q = w->probe = xcalloc(1, sizeof *q);
@@ -72,7 +66,7 @@ static void probe_create(struct walls_fill *w, const struct wall_treatment *t) {
         }
         layout_cloud_put(q, j, x);
     }
-    neighbours_create(&w->cells, q, KERNEL_SUPPORT * widest(w) * w->o->h * w->spacing);
+    neighbours_create(&w->cells, q, KERNEL_SUPPORT * w->widest * w->o->h * w->spacing);
 }
 
 static void probe_free(struct walls_fill *w) {
@@ -99,8 +93,8 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
     const double *x = near->nb.x;
     int status =
         refuse(&last, STATUS_NUMERICAL, "the wall at %s has fewer than %zu particles within %g h; use a smaller --dx",
-               problem_place(q->dim, x, text), least, KERNEL_SUPPORT * widest(w));
-    for (double grown = 1; grown <= widest(w) && status; grown *= 1.1) {
+               problem_place(q->dim, x, text), least, KERNEL_SUPPORT * w->widest);
+    for (double grown = 1; grown <= w->widest && status; grown *= 1.1) {
         double H = grown * w->o->h * w->spacing, most = KERNEL_SUPPORT * H * (1 - 1e-9);
         size_t n = 0;
         for (size_t k = 0; k < found; k++) {
@@ -137,7 +131,7 @@ static void keep(struct cloud *c, size_t d, const struct wall_sum *sum, size_t *
 int walls_fill(const struct problem *p, const struct options *o, struct cloud *c, double spacing,
                struct failure *why) {
     const struct wall_treatment *t = treatment(o->walls);
-    struct walls_fill w = {.p = p, .o = o, .c = c, .spacing = spacing};
+    struct walls_fill w = {.p = p, .o = o, .c = c, .spacing = spacing, .widest = assembly_widest(p->dim, o->h)};
     size_t dummies = c->total - c->n, room = 0;
     int status = STATUS_OK;
     if (!layout_is_cut(p, o) || !t) return STATUS_OK;

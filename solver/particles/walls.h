@@ -6,12 +6,10 @@
 
 #include "solver/particles/ssph.h"
 #include "solver/shape.h"
-#include "solver/space/neighbours.h"
+#include "solver/space/assembly.h"
 
 /* Particles that a quadratic at a wall requires, by dim (walls_fit.c). */
 static const size_t walls_least[] = {0, 4, 15, 60};
-
-#define WALLS_WIDEST 3.0 /* h: maximum extent of a search */
 
 struct wall_site {        /* the wall at a dummy; several at an edge or a corner */
     double x[DIM_MAX];    /* m, the dummy */
@@ -43,6 +41,7 @@ struct walls_fill { /* input of the treatments */
     const struct options *o;
     const struct cloud *c;
     double spacing;      /* m, unit of the option h */
+    double widest;       /* h, maximum extent of a search */
     struct cloud *probe; /* the particles, followed by one point for each dummy: a foot or an image */
     struct neighbours cells;
 };

@@ -7,10 +7,13 @@
  * The condition fixes a known part, and the remaining functions are free; at a corner both walls impose their
  * condition.  The temperatures of a Dirichlet wall next to the foot are also known and join the data.
  *
- * Each fit requires fifteen particles.  With eight, few for five unknowns, the shares are large, and the stability
- * limit at a Dirichlet wall is 0.14 dx^2/kappa instead of 0.5 without walls.  A particle next to the wall may then
- * represent the temperature along it, and modes grow if the wall's own temperatures are not in the data (4 of 20
- * clouds of jitter 0.2; none of 79 with fifteen).
+ * In the plane each fit requires fifteen particles.  With eight, few for five unknowns, the shares are large, and the
+ * stability limit at a Dirichlet wall is 0.14 dx^2/kappa instead of 0.5 without walls.  A particle next to the wall
+ * may then represent the temperature along it, and modes grow if the wall's own temperatures are not in the data (4
+ * of 20 clouds of jitter 0.2; none of 79 with fifteen).  Fifteen are a half disc of radius 3.1 dx.  In space the half
+ * ball of that radius has (2 pi/3) (2 15/pi)^(3/2) = 62 particles: the fit requires sixty, for nine unknowns.  In a
+ * ball of radius 6 dx the stable step is then that without walls (0.48 dx^2/kappa), for all three conditions; with
+ * forty it is 0.40 at a Dirichlet wall, with twenty 0.16.
  *
  * Order: dummies are exact for quadratics that satisfy the boundary condition, so their error is O(dx^3), and that
  * of the operator in a layer one kernel wide is O(dx).  This layer contributes O(dx^3) to T at a Dirichlet wall and

@@ -108,7 +108,7 @@ int walls_one_sided(const struct problem *p, const struct options *o, const stru
     struct equations *e = xcalloc(1, sizeof *e);
     int status = STATUS_NUMERICAL;
     *out = (struct wall_row){.own = -sigma};
-    for (double grown = 1; grown <= WALLS_WIDEST && status; grown *= 1.1) {
+    for (double grown = 1; grown <= assembly_widest(nb->dim, o->h) && status; grown *= 1.1) {
         double h = grown * nb->h, target[FIT_TERMS_MAX] = {sigma}, second = 1 / (h * h);
         int terms = (nb->dim + 1) * (nb->dim + 2) / 2;
         for (int a = 0; a < nb->dim; a++) target[1 + ssph_second(nb->dim, a)] = nb->kappa[a] * second;

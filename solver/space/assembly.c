@@ -4,6 +4,7 @@
 #include "solver/space/kernel.h"
 #include "solver/shape.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,7 +36,7 @@ int assembly_create(struct assembly *m, const struct problem *p, const struct op
                            .cell = layout_cell(o, spacing)};
     if (s->cells) return voronoi_create(&m->mesh, p, c, o->threads, why);
     neighbours_create(&m->cells, c, m->support);
-    if (o->walls == WALLS_ONE_SIDED) neighbours_create(&m->wide, c, 3 * m->support);
+    if (o->walls == WALLS_ONE_SIDED) neighbours_create(&m->wide, c, assembly_widest(p->dim, o->h) * m->support);
     return STATUS_OK;
 }
 
@@ -65,6 +66,11 @@ double assembly_stretch(const struct assembly *m, size_t i, uint32_t j) {
     const double depth = shape_depth(m->p, x);
     const double most = 1.5; /* limit of the publication */
     return depth * (most - 1) > m->c->away[j - m->c->n] ? 1 + m->c->away[j - m->c->n] / depth : most;
+}
+
+double assembly_widest(int dim, double h) {
+    const double ball = 6; /* dx, radius */
+    return dim < 3 ? 3 : fmin(3, fmax(1, ball / (KERNEL_SUPPORT * h)));
 }
 
 int assembly_at_wall(const struct assembly *m, size_t i) {

@@ -22,7 +22,7 @@ struct assembly {
     const struct scheme *s;
     const struct cloud *c;
     struct neighbours cells; /* empty if there is a mesh */
-    struct neighbours wide;  /* within 3 h, for --walls one_sided; else empty */
+    struct neighbours wide;  /* within assembly_widest, for --walls one_sided; else empty */
     struct voronoi mesh;     /* for schemes with cells */
     double h, support;       /* m */
     double volume;           /* m^dim */
@@ -56,6 +56,9 @@ double assembly_stretch(const struct assembly *m, size_t i, uint32_t j);
 
 /* The neighbourhood of point i.  Returns STATUS_NUMERICAL if it has more than NEIGHBOURS_MAX neighbours. */
 int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why);
+
+/* h: maximum extent of searches beside a wall, for h in dx: 3, and in space at most a ball of 905 particles. */
+double assembly_widest(int dim, double h);
 
 /* 1 if --walls one_sided determines the row of particle i: it is within the support of a wall. */
 int assembly_at_wall(const struct assembly *m, size_t i);

@@ -71,8 +71,8 @@ struct scheme {                   /* neighbour weights of a particle method; the
      * symmetric tensor, set for a, b < dim; F C d^2 is dimensionless. */
     int (*pairs)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
                  double C[DIM_MAX][DIM_MAX], struct failure *why);
-    /* --walls one_sided: the row of a particle within a kernel of a wall. nb: the particles within 3 h, excluding
-     * itself.  NULL if not supported. */
+    /* --walls one_sided: the row of a particle within a kernel of a wall. nb: the particles within assembly_widest,
+     * excluding itself.  NULL if not supported. */
     int (*at_wall)(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
                    struct wall_row *out, struct failure *why);
 };
