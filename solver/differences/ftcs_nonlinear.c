@@ -166,6 +166,17 @@ static double heat_of(const struct cells *c) {
     return sum * g->rho_c * g->d[0] * g->d[1];
 }
 
+static void report(const struct cells *c, struct field *f) {
+    const int dim = c->g.dim;
+    f->time = c->p->t_end, f->dt = c->g.dt, f->steps = c->g.steps, f->stages = 1;
+    for (int a = 0; a < DIM_MAX; a++) f->shape[a] = a < dim ? c->g.n[a] : 1;
+    for (int a = 0; a < dim; a++) f->spacing[a] = c->g.d[a];
+    f->cost.updates = f->steps * (long long)f->n;
+    f->cost.interactions = 2 * dim * f->cost.updates;
+    f->cost.work = WORK_SCALAR * ((double)f->cost.interactions + 2 * WORK_FUNCTION * (double)f->cost.updates);
+    f->cost.bytes = f->n * (size_t)(dim + 2) * sizeof(double);
+}
+
 int ftcs_nonlinear_solve(const char *method, const struct problem *p, const struct options *o, struct field *out,
                          struct failure *why) {
     double called = field_clock();
@@ -178,22 +189,15 @@ int ftcs_nonlinear_solve(const char *method, const struct problem *p, const stru
     f.heat[0] = heat_of(&c);
     double stepping = field_clock();
     int status = run(&c, why);
-    f.heat[1] = heat_of(&c);
     f.cost.step_seconds = field_clock() - stepping;
+    f.heat[1] = heat_of(&c);
     free(c.rate);
-    f.time = p->t_end, f.dt = c.g.dt, f.steps = c.g.steps, f.stages = 1;
-    for (int a = 0; a < DIM_MAX; a++) {
-        f.shape[a] = a < p->dim ? c.g.n[a] : 1;
-        f.spacing[a] = a < p->dim ? c.g.d[a] : 0;
-    }
-    f.cost.updates = f.steps * (long long)f.n;
-    f.cost.interactions = 2 * p->dim * f.cost.updates;
-    f.cost.work = WORK_SCALAR * ((double)f.cost.interactions + 2 * WORK_FUNCTION * (double)f.cost.updates);
-    f.cost.bytes = f.n * (size_t)(p->dim + 2) * sizeof(double);
+    report(&c, &f);
     f.cost.seconds = field_clock() - called;
-    if (status)
-        field_free(&f);
-    else
+    if (status == STATUS_OK) {
         *out = f;
+        return STATUS_OK;
+    }
+    field_free(&f);
     return status;
 }

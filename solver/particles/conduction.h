@@ -22,7 +22,7 @@ void conduction_rate(struct conduction *c, const double *T, double t, double *ou
 
 const struct cloud *conduction_cloud(const struct conduction *c);
 
-/* Of the state of the last rate: bound of the spectrum, s^-1, from its largest k. */
+/* Bound of the spectrum for the largest k in the state of the last rate, s^-1. */
 double conduction_bound(const struct conduction *c);
 /* K: range of the temperatures of walls and air so far, and the largest rate of heating by source and flux, K s^-1.
  */
