@@ -44,8 +44,7 @@ static size_t fewest_points(const struct problem *p, const double *d) {
     double n = 1;
     if (p->shape) { /* a lattice has one point per dx^dim, except for some along the walls */
         double R = p->radius[1], walls = p->dim == 3 ? 4 * M_PI * R * R : 2 * M_PI * (p->radius[0] + R);
-        double volume = p->dim == 3 ? walls * R / 3 : shape_volume(p);
-        return (size_t)fmin(fmax(1, volume / pow(d[0], p->dim) - walls / pow(d[0], p->dim - 1)), 1e18);
+        return (size_t)fmin(fmax(1, shape_volume(p) / pow(d[0], p->dim) - walls / pow(d[0], p->dim - 1)), 1e18);
     }
     for (int a = 0; a < p->dim; a++) n *= fmax(1, cells(p, a, d) - 1);
     return (size_t)fmin(n, 1e18);
@@ -115,7 +114,8 @@ static void bounds_of(const struct boxes *b, size_t box, double lo[DIM_MAX], dou
 static int is_whole(const struct boxes *b, size_t box) {
     double lo[DIM_MAX], hi[DIM_MAX];
     bounds_of(b, box, lo, hi);
-    return shape_clipped(b->p, lo, hi) >= (1 - SLACK) * (hi[0] - lo[0]) * (hi[1] - lo[1]);
+    double volume = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (b->p->dim == 3 ? hi[2] - lo[2] : 1);
+    return shape_clipped(b->p, lo, hi) >= (1 - SLACK) * volume;
 }
 
 static int refuse_gap(const struct boxes *b, size_t empty, struct failure *why) {

@@ -17,6 +17,7 @@
  * does not show that this limit is the solution. */
 #include "verification/ladder/gci.h"
 
+#include "solver/problem.h"
 #include "solver/status.h"
 #include "verification/foreign/case_run.h"
 #include "verification/foreign/field_file.h"
@@ -25,6 +26,7 @@
 #include "verification/run/interpolate.h"
 #include "verification/text/json.h"
 #include "verification/text/whole_file.h"
+#include "verification/text/words.h"
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
@@ -168,11 +170,13 @@ static int read_values(const char *path, const char *first, int i, struct gci *g
 /* ---- Fields ---- */
 
 static int read_field(const char *path, const struct column_map *c, struct samples *s, struct failure *why) {
-    struct failure first;
-    if (field_file_samples(path, path, 2, c, s, &first) == STATUS_OK) {
+    for (int dim = DIM_MAX; dim > 1; dim--) {
         double lo, hi;
-        gsl_stats_minmax(&lo, &hi, s->value[COLUMN_Y], 1, s->n);
-        if (!(hi > lo)) s->dim = 1;
+        if (field_file_samples(path, path, dim, c, s, why)) continue;
+        for (; s->dim > 1; s->dim--) { /* an axis along which all points are at one place */
+            gsl_stats_minmax(&lo, &hi, s->value[s->dim - 1], 1, s->n);
+            if (hi > lo) break;
+        }
         return STATUS_OK;
     }
     return field_file_samples(path, path, 1, c, s, why);
@@ -185,7 +189,8 @@ static int compare_fields(struct gci *g, const struct samples *s, const struct i
     double e[NUMBERS_MAX] = {0}, size = 0, *T = xcalloc((size_t)g->n, sizeof *T);
     int status = STATUS_OK;
     for (size_t k = 0; k < coarse->n && !status; k += stride) {
-        double x[2] = {coarse->value[COLUMN_X][k], coarse->dim == 2 ? coarse->value[COLUMN_Y][k] : 0};
+        double x[DIM_MAX];
+        samples_point(coarse, k, x);
         for (int i = 0; i < g->n && !status; i++) status = interpolate_at(&f[i], x, &T[i], NULL, why);
         for (int i = 0; i + 1 < g->n; i++) e[i] += fabs(T[i] - T[i + 1]);
         size += fabs(T[g->n - 1]);
@@ -202,10 +207,11 @@ static int compare_fields(struct gci *g, const struct samples *s, const struct i
 
 static int probe(struct gci *g, const struct interpolate *f, const struct numbers *at, struct failure *why) {
     char name[GCI_NAME];
-    double x[2] = {at->value[0], at->count == 2 ? at->value[1] : 0};
+    const double *x = at->value;
     if (at->count != f->dim)
         return refuse(why, STATUS_INPUT, "--at: %d numbers, the points have %d", at->count, f->dim);
-    snprintf(name, sizeof name, at->count == 2 ? "T at %g, %g" : "T at %g", x[0], x[1]);
+    snprintf(name, sizeof name, "T at %g", x[0]);
+    for (int a = 1; a < at->count; a++) words_add(name, sizeof name, ", %g", x[a]);
     struct gci_row *row = add(g, name);
     for (int i = 0; i < g->n; i++)
         if (interpolate_at(&f[i], x, &row->value[i], NULL, why)) return why->status;
@@ -225,7 +231,7 @@ static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map 
     struct interpolate *f = xcalloc((size_t)g->n, sizeof *f);
     for (int i = 0; i < g->n && !status; i++)
         f[i] = interpolate_begin(s[i].path, s[i].dim, s[i].n, s[i].value[COLUMN_X], s[i].value[COLUMN_Y],
-                                 s[i].value[COLUMN_T]);
+                                 s[i].value[COLUMN_Z], s[i].value[COLUMN_T]);
     if (!status) status = compare_fields(g, s, f, why);
     if (!status && at->count) status = probe(g, f, at, why);
     for (int i = 0; i < g->n; i++) interpolate_end(&f[i]);

@@ -30,14 +30,37 @@ static double place(double lo, double hi, int parts, int k, double *weight) {
     return lo + half * (2 * (k / 3) + 1 + NODE[k % 3]);
 }
 
+/* Numbers of panels of the box from lo to hi along each axis but `skip` (-1: none); returns the quadrature points. */
+static int divide(const struct problem *p, const double *lo, const double *hi, int skip, double dx, int parts[]) {
+    int points = 1;
+    for (int a = 0; a < p->dim; a++) {
+        parts[a] = a == skip ? 0 : panels(hi[a] - lo[a], dx);
+        points *= a == skip ? 1 : 3 * parts[a];
+    }
+    return points;
+}
+
+/* Quadrature point k and its weight; the coordinate along an axis without panels is left as it is. */
+static double quadrature_point(const struct problem *p, const double *lo, const double *hi, const int parts[], int k,
+                               double *x) {
+    double weight = 1, w;
+    for (int a = 0; a < p->dim; a++) {
+        if (parts[a] == 0) continue;
+        x[a] = place(lo[a], hi[a], parts[a], k % (3 * parts[a]), &w);
+        weight *= w;
+        k /= 3 * parts[a];
+    }
+    return weight;
+}
+
 static int flux(enum side s, const struct problem *p, const struct interpolate *f, double dx, double *value,
                 struct failure *why) {
-    int a = (int)s / 2, along = 1 - a, parts = p->dim == 2 ? panels(p->hi[along] - p->lo[along], dx) : 1;
+    int a = (int)s / 2, parts[DIM_MAX], points = divide(p, p->lo, p->hi, a, dx, parts);
+    double x[DIM_MAX] = {0}, T, gradient[DIM_MAX];
     *value = 0;
-    for (int k = 0; k < (p->dim == 2 ? 3 * parts : 1); k++) {
-        double x[2] = {0, 0}, w = 1, T, gradient[2];
-        if (p->dim == 2) x[along] = place(p->lo[along], p->hi[along], parts, k, &w);
-        x[a] = s % 2 ? p->hi[a] : p->lo[a];
+    x[a] = s % 2 ? p->hi[a] : p->lo[a];
+    for (int k = 0; k < points; k++) {
+        double w = quadrature_point(p, p->lo, p->hi, parts, k, x);
         if (interpolate_at(f, x, &T, gradient, why)) return why->status;
         double there = kirchhoff_along(p, material_at(p, x[0]), a, T);
         *value += w * there * (s % 2 ? gradient[a] : -gradient[a]);
@@ -45,19 +68,18 @@ static int flux(enum side s, const struct problem *p, const struct interpolate *
     return STATUS_OK;
 }
 
-/* Heat of lo <= x <= hi, within one material. */
-static int heat_between(double lo, double hi, const struct problem *p, struct interpolate *f, double dx,
+/* Heat of from <= x <= to, within one material. */
+static int heat_between(double from, double to, const struct problem *p, struct interpolate *f, double dx,
                         double *value, struct failure *why) {
-    int px = panels(hi - lo, dx), py = p->dim == 2 ? panels(p->hi[1] - p->lo[1], dx) : 1;
-    double rho_c = material_at(p, (lo + hi) / 2)->rho_c, T;
-    f->from = lo - 1e-9 * (hi - lo), f->to = hi + 1e-9 * (hi - lo);
-    for (int j = 0; j < (p->dim == 2 ? 3 * py : 1); j++)
-        for (int i = 0; i < 3 * px; i++) {
-            double wx, wy = 1, x[2] = {place(lo, hi, px, i, &wx), 0};
-            if (p->dim == 2) x[1] = place(p->lo[1], p->hi[1], py, j, &wy);
-            if (interpolate_at(f, x, &T, NULL, why)) return why->status;
-            *value += wx * wy * rho_c * T;
-        }
+    double lo[DIM_MAX] = {from, p->lo[1], p->lo[2]}, hi[DIM_MAX] = {to, p->hi[1], p->hi[2]}, x[DIM_MAX] = {0}, T;
+    double rho_c = material_at(p, (from + to) / 2)->rho_c;
+    int parts[DIM_MAX], points = divide(p, lo, hi, -1, dx, parts);
+    f->from = from - 1e-9 * (to - from), f->to = to + 1e-9 * (to - from);
+    for (int k = 0; k < points; k++) {
+        double w = quadrature_point(p, lo, hi, parts, k, x);
+        if (interpolate_at(f, x, &T, NULL, why)) return why->status;
+        *value += w * rho_c * T;
+    }
     return STATUS_OK;
 }
 
@@ -70,7 +92,8 @@ static int heat(const struct problem *p, struct interpolate *f, double dx, doubl
 
 int derived_value(const struct quantity *q, const struct problem *p, const struct field *field, double dx,
                   double *value, struct failure *why) {
-    struct interpolate f = interpolate_begin("the field", field->dim, field->n, field->x, field->y, field->T);
+    struct interpolate f =
+        interpolate_begin("the field", field->dim, field->n, field->x, field->y, field->z, field->T);
     int status;
     if (p->materials == 2 && q->kind == QUANTITY_AT) { /* one polynomial must not extend across the kink */
         f.from = q->at[0] >= p->interface ? p->interface : -INFINITY;

@@ -9,7 +9,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { DEGREE = 5, ROD = DEGREE + 1, RECTANGLE = 36, MOST = 108, TERMS = 21 };
+/* By dimension: degree, its monomials, the fewest points of a fit, and the most. */
+static const int degree[] = {0, 5, 5, 3};
+static const size_t monomials[] = {0, 6, 21, 20}, least_points[] = {0, 6, 36, 64}, most_points[] = {0, 6, 108, 192};
+enum { MOST = 192, TERMS = 21 };
 
 struct near {
     double d2; /* m^2 */
@@ -22,24 +25,25 @@ static size_t box_along(const struct interpolate *f, int a, double x) {
 }
 
 static size_t box_of(const struct interpolate *f, size_t i) {
-    return box_along(f, 0, f->x[i]) + (f->dim == 2 ? f->count[0] * box_along(f, 1, f->y[i]) : 0);
+    size_t box = 0;
+    for (int a = f->dim; a-- > 0;) box = box * f->count[a] + box_along(f, a, f->x[a][i]);
+    return box;
 }
 
 struct interpolate interpolate_begin(const char *name, int dim, size_t n, const double *x, const double *y,
-                                     const double *T) {
+                                     const double *z, const double *T) {
     struct interpolate f = {
-        .name = name, .dim = dim, .n = n, .x = x, .y = y, .T = T, .from = -INFINITY, .to = INFINITY};
+        .name = name, .dim = dim, .n = n, .x = {x, y, z}, .T = T, .from = -INFINITY, .to = INFINITY};
     double each = fmax(1, floor(pow((double)n / 2, 1.0 / dim)));
-    f.count[0] = f.count[1] = 1;
+    f.count[0] = f.count[1] = f.count[2] = 1;
     for (int a = 0; a < dim; a++) {
-        const double *at = a ? y : x;
         double lo, hi;
-        gsl_stats_minmax(&lo, &hi, at, 1, n);
+        gsl_stats_minmax(&lo, &hi, f.x[a], 1, n);
         f.lo[a] = lo;
         f.side[a] = hi > lo ? (hi - lo) / each : 1;
         f.count[a] = (size_t)each;
     }
-    size_t boxes = f.count[0] * f.count[1];
+    size_t boxes = f.count[0] * f.count[1] * f.count[2];
     f.first = xcalloc(boxes + 2, sizeof *f.first);
     f.point = xcalloc(n, sizeof *f.point);
     for (size_t i = 0; i < n; i++) f.first[box_of(&f, i) + 2]++;
@@ -55,12 +59,13 @@ void interpolate_end(struct interpolate *f) {
 }
 
 /* Merges the points of a box into the list of the nearest `most`, in ascending order; returns its new length. */
-static size_t take_box(const struct interpolate *f, const double x[2], size_t box, struct near *list, size_t n,
+static size_t take_box(const struct interpolate *f, const double *x, size_t box, struct near *list, size_t n,
                        size_t most) {
     for (size_t k = f->first[box]; k < f->first[box + 1]; k++) {
         size_t i = f->point[k];
-        double dx = f->x[i] - x[0], dy = f->dim == 2 ? f->y[i] - x[1] : 0, d2 = dx * dx + dy * dy;
-        if (f->x[i] < f->from || f->x[i] > f->to || (n == most && !(d2 < list[n - 1].d2))) continue;
+        double d2 = 0;
+        for (int a = 0; a < f->dim; a++) d2 += (f->x[a][i] - x[a]) * (f->x[a][i] - x[a]);
+        if (f->x[0][i] < f->from || f->x[0][i] > f->to || (n == most && !(d2 < list[n - 1].d2))) continue;
         size_t at = n < most ? n++ : n - 1;
         for (; at > 0 && d2 < list[at - 1].d2; at--) list[at] = list[at - 1];
         list[at] = (struct near){d2, i};
@@ -69,40 +74,53 @@ static size_t take_box(const struct interpolate *f, const double x[2], size_t bo
 }
 
 /* Searches rings of boxes around that of x until everything beyond is farther than the end of the list. */
-static size_t find(const struct interpolate *f, const double x[2], struct near *list, size_t most) {
-    size_t n = 0, last = f->count[0] > f->count[1] ? f->count[0] : f->count[1];
-    long c[2] = {(long)box_along(f, 0, x[0]), f->dim == 2 ? (long)box_along(f, 1, x[1]) : 0};
-    double least = f->dim == 2 ? fmin(f->side[0], f->side[1]) : f->side[0];
+static size_t find(const struct interpolate *f, const double *x, struct near *list, size_t most) {
+    size_t n = 0, last = 0;
+    long c[DIM_MAX] = {0}, wide[DIM_MAX] = {0};
+    double least = INFINITY;
+    for (int a = 0; a < f->dim; a++) {
+        c[a] = (long)box_along(f, a, x[a]);
+        last = f->count[a] > last ? f->count[a] : last;
+        least = fmin(least, f->side[a]);
+    }
     for (long ring = 0; ring <= (long)last; ring++) {
-        for (long j = -ring; j <= ring; j++)
-            for (long i = -ring; i <= ring; i += labs(j) == ring || ring == 0 ? 1 : 2 * ring) {
-                long at[2] = {c[0] + i, c[1] + j};
-                if (at[0] < 0 || at[1] < 0 || at[0] >= (long)f->count[0] || at[1] >= (long)f->count[1]) continue;
-                n = take_box(f, x, (size_t)at[0] + f->count[0] * (size_t)at[1], list, n, most);
-            }
+        for (int a = 0; a < f->dim; a++) wide[a] = ring;
+        for (long k = -wide[2]; k <= wide[2]; k++)
+            for (long j = -wide[1]; j <= wide[1]; j++)
+                for (long i = -ring; i <= ring; i += labs(j) == ring || labs(k) == ring || ring == 0 ? 1 : 2 * ring) {
+                    long at[DIM_MAX] = {c[0] + i, c[1] + j, c[2] + k}, inside = 1;
+                    for (int a = 0; a < f->dim; a++) inside &= at[a] >= 0 && at[a] < (long)f->count[a];
+                    if (!inside) continue;
+                    size_t box = (size_t)(at[0] + (long)f->count[0] * (at[1] + (long)f->count[1] * at[2]));
+                    n = take_box(f, x, box, list, n, most);
+                }
         double clear = least * (double)ring;
         if (n == most && list[n - 1].d2 <= clear * clear) break;
     }
     return n;
 }
 
-/* A row of the monomials of (u, v).  Columns 1 and 2 give the derivatives at the origin. */
-static void monomials(int dim, double u, double v, gsl_matrix *A, size_t row) {
+/* A row of the monomials of u.  Column 1 + a gives the derivative along axis a at the origin. */
+static void fill_row(int dim, const double u[DIM_MAX], gsl_matrix *A, size_t row) {
     size_t column = 0;
-    for (int p = 0; p <= DEGREE; p++)
-        for (int q = 0; q <= (dim == 2 ? p : 0); q++) gsl_matrix_set(A, row, column++, pow(u, p - q) * pow(v, q));
+    for (int p = 0; p <= degree[dim]; p++)
+        for (int q = 0; q <= (dim > 1 ? p : 0); q++)
+            for (int r = 0; r <= (dim > 2 ? q : 0); r++)
+                gsl_matrix_set(A, row, column++, pow(u[0], p - q) * pow(u[1], q - r) * pow(u[2], r));
 }
 
-static int fit(const struct interpolate *f, const double x[2], const struct near *list, size_t n, double *T,
-               double gradient[2]) {
-    size_t terms = f->dim == 2 ? TERMS : ROD, rank;
+static int fit(const struct interpolate *f, const double *x, const struct near *list, size_t n, double *T,
+               double *gradient) {
+    size_t terms = monomials[f->dim], rank;
     double scale = sqrt(list[n - 1].d2), chi2, value[MOST], coefficient[TERMS];
     gsl_matrix *A = gsl_matrix_alloc(n, terms), *cov = gsl_matrix_alloc(terms, terms);
     gsl_vector_view b = gsl_vector_view_array(value, n), c = gsl_vector_view_array(coefficient, terms);
     gsl_multifit_linear_workspace *w = gsl_multifit_linear_alloc(n, terms);
     for (size_t k = 0; k < n; k++) {
         size_t i = list[k].i;
-        monomials(f->dim, (f->x[i] - x[0]) / scale, f->dim == 2 ? (f->y[i] - x[1]) / scale : 0, A, k);
+        double u[DIM_MAX] = {0};
+        for (int a = 0; a < f->dim; a++) u[a] = (f->x[a][i] - x[a]) / scale;
+        fill_row(f->dim, u, A, k);
         value[k] = f->T[i];
     }
     int bad = gsl_multifit_linear_tsvd(A, &b.vector, 1e-9, &c.vector, cov, &chi2, &rank, w) || rank < terms;
@@ -115,10 +133,11 @@ static int fit(const struct interpolate *f, const double x[2], const struct near
 }
 
 /* Next to a wall the nearest points are on few rows along it; more points then suffice. */
-int interpolate_at(const struct interpolate *f, const double x[2], double *T, double gradient[2],
-                   struct failure *why) {
+int interpolate_at(const struct interpolate *f, const double *x, double *T, double *gradient, struct failure *why) {
     struct near list[MOST];
-    size_t least = f->dim == 2 ? RECTANGLE : ROD, found = find(f, x, list, f->dim == 2 ? MOST : ROD);
+    char third[24] = "";
+    if (f->dim == 3) snprintf(third, sizeof third, ", %g", x[2]);
+    size_t least = least_points[f->dim], found = find(f, x, list, most_points[f->dim]);
     if (found < least)
         return refuse(why, STATUS_INPUT, "%.200s: %zu points; to interpolate between them %zu are needed", f->name,
                       found, least);
@@ -130,6 +149,6 @@ int interpolate_at(const struct interpolate *f, const double x[2], double *T, do
         if (!fit(f, x, list, n, T, gradient)) return STATUS_OK;
         if (n == found) break;
     }
-    return refuse(why, STATUS_INPUT, "%.200s: the points near %g, %g are on too few lines for an interpolation",
-                  f->name, x[0], x[1]);
+    return refuse(why, STATUS_INPUT, "%.200s: the points near %g, %g%s are on too few lines for an interpolation",
+                  f->name, x[0], x[1], third);
 }

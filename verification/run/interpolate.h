@@ -4,6 +4,8 @@
 
 /* Temperatures and gradients between scattered points. */
 
+#include "solver/problem.h"
+
 #include <stddef.h>
 
 struct failure;
@@ -12,23 +14,23 @@ struct interpolate {
     const char *name; /* name of the field, for messages */
     int dim;
     size_t n;
-    const double *x, *y, *T; /* m, m, K; y is NULL for a rod */
-    double from, to;         /* uses only points with from <= x <= to: one side of a kink */
-    double lo[2], side[2];   /* boxes of about two points each */
-    size_t count[2];
+    const double *x[DIM_MAX], *T;      /* m, by axis; K */
+    double from, to;                   /* uses only points with from <= x <= to: one side of a kink */
+    double lo[DIM_MAX], side[DIM_MAX]; /* boxes of about two points each */
+    size_t count[DIM_MAX];
     size_t *first, *point; /* owned: the points sorted by box */
 };
 
 /* Sorts the points into boxes; the caller keeps the arrays.  Release with interpolate_end. */
 struct interpolate interpolate_begin(const char *name, int dim, size_t n, const double *x, const double *y,
-                                     const double *T);
+                                     const double *z, const double *T);
 void interpolate_end(struct interpolate *f);
 
 /* Value and gradient at x of the polynomial of degree five through the 6 nearest points of a rod, or fitted by least
- * squares to 36 or more of a rectangle: errors of O(h^6) and O(h^5) for smooth fields.  `gradient` may be NULL; then
+ * squares to 36 or more of a rectangle: errors of O(h^6) and O(h^5) for smooth fields; in space of degree three to 64
+ * or more, O(h^4) and O(h^3).  `gradient` may be NULL; then
  * a point at x gives its own value.  Returns STATUS_INPUT with *why if there are too few points or rows of
  * points. */
-int interpolate_at(const struct interpolate *f, const double x[2], double *T, double gradient[2],
-                   struct failure *why);
+int interpolate_at(const struct interpolate *f, const double *x, double *T, double *gradient, struct failure *why);
 
 #endif
