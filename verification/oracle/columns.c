@@ -98,7 +98,8 @@ static struct approx initial_at(const void *data, const double *x) {
 static double mean_start(const struct image *image, const double *lo, const double *hi) {
     const struct problem *p = &image->problem;
     struct cubature_knots knots = {.grades = 0};
-    double part = p->shape ? shape_clipped(p, lo, hi) / ((hi[0] - lo[0]) * (hi[1] - lo[1])) : 1;
+    double volume = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (p->dim == 3 ? hi[2] - lo[2] : 1);
+    double part = p->shape ? shape_clipped(p, lo, hi) / volume : 1;
     if (part < 1 - 1e-9 && part > 1e-12) return clipped_mean(p, lo, hi);
     for (int a = 0; a < p->dim; a++) {
         for (int j = 0; j < p->jumps[a]; j++) knots.knot[a][knots.count[a]++].at = p->jump[a][j];
