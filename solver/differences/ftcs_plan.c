@@ -75,15 +75,15 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
         int refuses;
         const char *option, *value, *text;
     } table[] = {
-        {round && with_fluxes, NULL, NULL,
-         "needs a rod or a rectangle, this scene has a round body; use ftcs"},
+        {round && with_fluxes, NULL, NULL, "needs a rod or a rectangle, this scene has a round body; use ftcs"},
         {round && o->layout != LAYOUT_LATTICE, "layout", layout, "a round body has rings and rays; omit it"},
         {round && o->sampling != SAMPLING_POINT, "sampling", sampling, "rings and rays take points; use point"},
         {round && o->walls != WALLS_MIRROR, "walls", walls, "is for particles; use mirror"},
         {round && (two || p->material[0].k[0] != p->material[0].k[1]), NULL, NULL,
          "takes one material with k_x = k_y in a round body"},
+        {round && p->dim == 3 && p->material[0].k[0] != p->material[0].k[2], NULL, NULL,
+         "takes one material with k_x = k_y = k_z in a ball"},
         {round && (matched || !steps), "stepper", stepper, "a round body has euler and auto; use euler"},
-        {round && p->dim == 3, NULL, NULL, "needs a box in space, this scene has a ball"},
         {round && p->wall_rate, NULL, NULL, "needs steady walls in a round body"},
         {two && with_fluxes, NULL, NULL, "takes one material, the scene has two; use ftcs"},
         {two && robin_across, NULL, NULL,
