@@ -114,7 +114,12 @@ static void hot_wall_is_no_instability(void **state) {
     assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_UNSTABLE);
 }
 
-static void matched_and_round_runs_refuse_changing_walls(void **state) {
+static double waxing(const struct problem *p, const double *x, double t) {
+    (void)p;
+    return x[0] * t * t;
+}
+
+static void data_that_change_otherwise_are_refused(void **state) {
     (void)state;
     struct problem p = rod(1), disc = plane(1, 1);
     struct options o = {.dx = 0.046, .stepper = STEPPER_MATCHED};
@@ -123,11 +128,13 @@ static void matched_and_round_runs_refuse_changing_walls(void **state) {
     p.wall_rate = disc.wall_rate = swinging_rate;
     assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "--stepper matched: the start and the steps of this run are derived for steady walls");
-    o.stepper = STEPPER_EULER;
+    o.stepper = STEPPER_EULER, p.wall_rate = NULL, p.source_at = waxing;
+    assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    assert_has(why.text, "ftcs: needs a source that is steady or linear in time");
     disc.material[0].k[1] = disc.material[0].k[0];
     shape_round(&disc, 0, 0.46);
     assert_int_equal(method_solve(&method_ftcs, &disc, &o, &f, &why), STATUS_NOT_APPLICABLE);
-    assert_has(why.text, "ftcs: needs steady walls in a round body");
+    assert_has(why.text, "ftcs: needs steady walls and a steady source in a round body");
 }
 
 int main(void) {
@@ -137,7 +144,7 @@ int main(void) {
         cmocka_unit_test(changing_wall_is_of_first_order_in_dt),
         cmocka_unit_test(steady_walls_are_read_once),
         cmocka_unit_test(hot_wall_is_no_instability),
-        cmocka_unit_test(matched_and_round_runs_refuse_changing_walls),
+        cmocka_unit_test(data_that_change_otherwise_are_refused),
     };
     return cmocka_run_group_tests_name("ftcs_driven", tests, NULL, NULL);
 }
