@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Adaptive cubature: Gauss-Legendre rules of 6 points per axis (4 in space) on a box and on its halves along each
- * axis.
+/* Adaptive cubature: Gauss-Legendre rules of 6 points per axis (4 for a cell in space) on a box and on its halves
+ * along each axis.
  *
  * On a box of extent h, for f that varies over the length l, the error of the rule is 1.9e-16 (h/l)^12 of f with 6
  * points, 5.6e-10 (h/l)^8 with 4 (remainder term; Abramowitz and Stegun 1964, 25.4.30); on the halves it is 4096 or
  * 256 times smaller.  If the two results differ by at most 1e-14 of f (1e-11 in space), the result of the halves is
  * accepted and the difference is its error estimate, by the same factor too large unless the errors of the parts
  * cancel.  Otherwise the halves become boxes themselves, until they are too small to matter.  In space a cell of a
- * mesh, h/l < 0.1, takes 9 times 64 values and is exact to rounding with one halving.
+ * mesh, h/l < 0.1, takes 9 times 64 values and is exact to rounding with one halving.  A whole body, with an accuracy
+ * of 1e-10 of its own, takes 6 points: then h/l may be 3, and 0.8 with 4 points.
  *
  * The rule misses features that are narrow compared with the box.  The caller lists the places of such features, and
  * boxes are graded towards them by factors of four. */
@@ -31,13 +32,14 @@ struct integrand {
     struct approx (*f)(const void *data, const double *x);
     const void *data;
     int dim;
+    double accuracy;
     double whole; /* length, area or volume of the domain */
     double size;  /* largest |f| sampled */
     double error;
 };
 
 static struct approx rule(struct integrand *g, const double *lo, const double *hi) {
-    const struct rule *r = g->dim == 3 ? &four : &six;
+    const struct rule *r = g->dim == 3 && !(g->accuracy > 1e-11) ? &four : &six;
     struct approx sum = {0, 0};
     int all = r->points * (g->dim > 1 ? r->points : 1) * (g->dim > 2 ? r->points : 1);
     for (int k = 0; k < all; k++) {
@@ -84,7 +86,7 @@ static double box(struct integrand *g, const double *lo, const double *hi, struc
     }
     double apart = fabs(mean.value - once.value), middle = (lo[0] + hi[0]) / 2;
     int small = !(middle > lo[0] && middle < hi[0]) || share * apart <= 1e-17 * g->size;
-    if (!(apart > (g->dim == 3 ? 1e-11 : 1e-14) * g->size) || apart <= 2 * mean.error || small) { /* true for a NaN as well */
+    if (!(apart > g->accuracy * g->size) || apart <= 2 * mean.error || small) { /* true for a NaN as well */
         g->error += share * (mean.error + apart);
         return share * mean.value;
     }
@@ -126,7 +128,8 @@ struct approx cubature_mean(struct approx (*f)(const void *data, const double *x
     double list[DIM_MAX][BREAKS], sum = 0;
     int n[DIM_MAX] = {2, 2, 2}, grades = dim == 1 ? GRADES_1D : GRADES, boxes = 1;
     if (knots->grades > 0 && knots->grades < grades) grades = knots->grades;
-    struct integrand g = {f, data, dim, volume(lo, hi, dim), 0, 0};
+    double accuracy = knots->accuracy > 0 ? knots->accuracy : dim == 3 ? 1e-11 : 1e-14;
+    struct integrand g = {f, data, dim, accuracy, volume(lo, hi, dim), 0, 0};
     if (!(g.whole > 0)) return f(data, lo);
     for (int a = 0; a < dim; a++) {
         n[a] = breaks(lo[a], hi[a], knots, a, grades, list[a]);

@@ -11,8 +11,10 @@ enum { CUBATURE_KNOTS = 8 };
 
 /* Places at which the integrand may jump, or change over a distance far below the extents. */
 struct cubature_knots {
-    int grades; /* maximum number of graded parts on either side of a knot, each a quarter of the next; <= 0: the
-                   built-in maximum */
+    double accuracy; /* in space: accepted difference of two rules, relative to the largest |f|; 0: 1e-14, in space
+                        1e-11 */
+    int grades;      /* maximum number of graded parts on either side of a knot, each a quarter of the next; <= 0: the
+                        built-in maximum */
     int count[DIM_MAX];
     struct {
         double at;  /* m, in any order; knots outside the domain are ignored */

@@ -116,7 +116,7 @@ static struct approx flux_density(const void *data, const double *along) {
 }
 
 /* Knots of an axis: ends, jumps, interface, and on a rod the middle, the place of its pulse.  Initial data in the
- * plane and in space have no pulse. */
+ * plane and in space have no pulse.  In space only jumps are graded: there the data of walls agree with the start. */
 static void add_knots(const struct problem *p, int axis, int place, struct cubature_knots *knots) {
     double at[CUBATURE_KNOTS] = {p->lo[axis], p->hi[axis]};
     int n = 2;
@@ -125,19 +125,22 @@ static void add_knots(const struct problem *p, int axis, int place, struct cubat
     if (axis == 0 && p->materials == 2) at[n++] = p->interface;
     for (int i = 0; i < n; i++) {
         knots->knot[place][i].at = at[i];
-        knots->knot[place][i].graded = p->dim < 3; /* in space the data are smooth, or halving finds the place */
+        int jump = i >= 2 && i < 2 + p->jumps[axis];
+        knots->knot[place][i].graded = p->dim < 3 || (jump && knots->grades > 0);
     }
     knots->count[place] = n;
 }
 
-/* In a plane or in space no feature is narrower than the diffusion length at t > 0. */
+/* In a plane or in space no feature is narrower than the diffusion length s at t > 0.  In space boxes start with 16
+ * s: their rule of 6 points has a point at half s from the ends. */
 static int grades_for(const struct problem *p, double t) {
     double kappa = INFINITY, extent = 0;
     for (int a = 0; a < p->dim; a++) {
         for (int m = 0; m < p->materials; m++) kappa = fmin(kappa, p->material[m].k[a] / p->material[m].rho_c);
         extent = fmax(extent, p->hi[a] - p->lo[a]);
     }
-    return p->dim > 1 && t > 0 ? 1 + (int)fmax(0, ceil(log2(extent / sqrt(4 * kappa * t)) / 2)) : 0;
+    int finest = (int)fmax(0, ceil(log2(extent / sqrt(4 * kappa * t)) / 2));
+    return p->dim == 1 || !(t > 0) ? 0 : p->dim == 2 ? 1 + finest : finest > 2 ? finest - 2 : 0;
 }
 
 /* Integrand over a round body, at = (r, angles): the density times r^(dim-1). */
@@ -160,9 +163,11 @@ static struct quantity_value integral(struct approx (*density)(const void *f, co
 static struct quantity_value heat(struct field_at *f) {
     const struct problem *p = f->now.problem;
     const double *R = p->radius, around[] = {R[0], 0, 0}, upto[] = {R[1], 2 * M_PI, M_PI};
-    struct cubature_knots knots = {.count = {p->shape ? 2 : 0, 0}, .grades = grades_for(p, f->now.time)};
+    struct cubature_knots knots = {
+        .accuracy = p->dim == 3 ? 1e-10 : 0, .count = {p->shape ? 2 : 0, 0}, .grades = grades_for(p, f->now.time)};
     double volume = 1, angles = p->dim == 3 ? 2 * M_PI * M_PI : 2 * M_PI;
-    for (int s = 0; s < knots.count[0]; s++) knots.knot[0][s].at = R[s], knots.knot[0][s].graded = p->dim < 3;
+    for (int s = 0; s < knots.count[0]; s++)
+        knots.knot[0][s].at = R[s], knots.knot[0][s].graded = p->dim < 3 || (s == 1 && knots.grades > 0);
     if (p->shape) return integral(round_heat_density, f, p->dim, around, upto, (R[1] - R[0]) * angles, &knots);
     for (int a = 0; a < p->dim; a++) {
         volume *= p->hi[a] - p->lo[a];

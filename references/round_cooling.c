@@ -149,7 +149,8 @@ static void prepare_transform(const struct problem *p, double s, struct shared *
         g->part[j] =
             weight / z * (v[T_A] - v[T0]) * biot / (g->q[j] * f->scaled(1, g->q[j]) + biot * f->scaled(0, g->q[j]));
     }
-    g->error[0] = (2e-13 * (p->dim - 1) + 2 * DBL_EPSILON * v[R] / s) * scale + DBL_EPSILON * (fabs(v[T0]) + fabs(v[T_A]));
+    g->error[0] =
+        (2e-13 * (p->dim - 1) + 2 * DBL_EPSILON * v[R] / s) * scale + DBL_EPSILON * (fabs(v[T0]) + fabs(v[T_A]));
     g->error[1] = (1e-12 + 4 * DBL_EPSILON * v[R] / s) * scale * fmin(1 / s, v[B] / v[K]) + 4e-16 * scale / s;
 }
 
