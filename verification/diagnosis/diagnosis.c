@@ -58,12 +58,13 @@ static int list_faults(const struct problem *p, struct fault *list) {
     static const struct {
         enum fault_kind kind;
         int count; /* number of axes, sides or corners */
-    } kinds[] = {{FAULT_CLOCK, 1},       {FAULT_CONDUCTIVITY, 1}, {FAULT_SWAP, 1},      {FAULT_TRANSPOSED, 1},
-                 {FAULT_SOURCE, 1},      {FAULT_CAPACITY, 1},     {FAULT_INTERFACE, 1}, {FAULT_MEAN, 1},
-                 {FAULT_AMPLITUDE, 1},   {FAULT_SOURCE_TIME, 1},  {FAULT_FROZEN, 1},    {FAULT_DIFFUSIVITY, 1},
-                 {FAULT_OFFSET, 1},      {FAULT_NEAR_WALL, 1},    {FAULT_ISOTROPIC, 2}, {FAULT_EXTENT, 3},
-                 {FAULT_START_SHIFT, 2}, {FAULT_START_WIDTH, 2},  {FAULT_SAMPLES, 2},   {FAULT_WALL, 5},
-                 {FAULT_CORNER, 4},      {FAULT_COEFFICIENT, 5},  {FAULT_AXIS, 2},      {FAULT_RHO_C, 2}};
+    } kinds[] = {{FAULT_CLOCK, 1},       {FAULT_CONDUCTIVITY, 1}, {FAULT_SWAP, 1},        {FAULT_TRANSPOSED, 1},
+                 {FAULT_SOURCE, 1},      {FAULT_CAPACITY, 1},     {FAULT_INTERFACE, 1},   {FAULT_MEAN, 1},
+                 {FAULT_AMPLITUDE, 1},   {FAULT_SOURCE_TIME, 1},  {FAULT_FROZEN, 1},      {FAULT_DIFFUSIVITY, 1},
+                 {FAULT_OFFSET, 1},      {FAULT_NEAR_WALL, 1},    {FAULT_ISOTROPIC, 2},   {FAULT_EXTENT, 3},
+                 {FAULT_START_SHIFT, 2}, {FAULT_START_WIDTH, 2},  {FAULT_SAMPLES, 2},     {FAULT_WALL, 5},
+                 {FAULT_CORNER, 4},      {FAULT_WALL_TIME, 1},    {FAULT_WALL_FROZEN, 1}, {FAULT_COEFFICIENT, 5},
+                 {FAULT_AXIS, 2},        {FAULT_RHO_C, 2}};
     int n = 0;
     struct faulty ignored;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -108,7 +109,8 @@ static void follow(const struct problem *p, struct candidate_fault *c, const str
     int place = c->fault.kind == FAULT_EXTENT || c->fault.kind == FAULT_START_SHIFT ||
                 c->fault.kind == FAULT_START_WIDTH || c->fault.kind == FAULT_INTERFACE ||
                 c->fault.kind == FAULT_MEAN || c->fault.kind == FAULT_NEAR_WALL;
-    int in_time = c->fault.kind == FAULT_CLOCK || c->fault.kind == FAULT_SOURCE_TIME;
+    int in_time =
+        c->fault.kind == FAULT_CLOCK || c->fault.kind == FAULT_SOURCE_TIME || c->fault.kind == FAULT_WALL_TIME;
     int clock = in_time && fine->dt > 0 && coarse->dt > 0;
     c->unit[0] = clock ? fine->dt : place ? fine->dx : 1;
     c->unit[1] = clock ? coarse->dt : place ? coarse->dx : 1;
@@ -122,6 +124,11 @@ static void follow(const struct problem *p, struct candidate_fault *c, const str
         memcpy(c->unit, diffusive, sizeof diffusive);
         c->name = DIFFUSIVE;
         c->drift = drift(c, c->unit[0], c->unit[1]);
+    }
+    if (c->fault.kind == FAULT_WALL_TIME && drift(c, 1, 1) < c->drift) { /* a phase */
+        c->unit[0] = c->unit[1] = 1;
+        c->name = "s";
+        c->drift = drift(c, 1, 1);
     }
     double due = c->fault.kind == FAULT_NEAR_WALL ? 0.5 : 1, found = c->fine.size / c->unit[0] / due;
     int whole = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_NEAR_WALL || c->fault.kind == FAULT_SAMPLES;

@@ -35,16 +35,33 @@ static double initial(const struct problem *p, const double x[2]) {
     return f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * T : T;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2], double t) {
-    double at[2];
-    const struct faulty *f = faulty_at(p, x, at);
-    if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, (enum side)(s ^ 2), at, t);
-    double value = f->right->wall(f->right, s, at, t);
+/* The data of side s of the faulty problem from those of the correct one, `value`, or from their rate. */
+static double wall_value(const struct faulty *f, enum side s, double value, int is_rate) {
     if (f->right->side[s] == NEUMANN) value /= f->stretch[s / 2];
     int is_flux = f->right->side[s] == NEUMANN && f->fault.axis == FAULT_ALL_SIDES;
     if (f->fault.kind == FAULT_AMPLITUDE || (f->fault.kind == FAULT_WALL && (f->fault.axis == (int)s || is_flux)))
         value *= 1 + f->size;
-    return f->fault.kind == FAULT_OFFSET && f->right->side[s] != NEUMANN ? value + f->size : value;
+    return f->fault.kind == FAULT_OFFSET && f->right->side[s] != NEUMANN && !is_rate ? value + f->size : value;
+}
+
+/* The time at which the faulty problem takes its walls. */
+static double wall_time(const struct faulty *f, double t) {
+    if (f->fault.kind == FAULT_WALL_FROZEN) return 0;
+    return f->fault.kind == FAULT_WALL_TIME ? t + f->size : t;
+}
+
+static double wall(const struct problem *p, enum side s, const double x[2], double t) {
+    double at[2];
+    const struct faulty *f = faulty_at(p, x, at);
+    if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, (enum side)(s ^ 2), at, t);
+    return wall_value(f, s, f->right->wall(f->right, s, at, wall_time(f, t)), 0);
+}
+
+static double wall_rate(const struct problem *p, enum side s, const double x[2], double t) {
+    double at[2];
+    const struct faulty *f = faulty_at(p, x, at);
+    if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall_rate(f->right, (enum side)(s ^ 2), at, t);
+    return wall_value(f, s, f->right->wall_rate(f->right, s, at, wall_time(f, t)), 1);
 }
 
 /* Heat lost in the cell of a corner, W m^-3, if its Dirichlet sides at T are assumed cold: 2 k T/dx^2 for each,
@@ -138,6 +155,7 @@ static int applies(const struct problem *p, struct fault fault) {
     if (kind == FAULT_CORNER) return p->dim == 2 && has_corner(p, axis);
     if (kind == FAULT_SOURCE) return p->source != 0;
     if (kind == FAULT_SOURCE_TIME || kind == FAULT_FROZEN) return p->source_rate != 0;
+    if (kind == FAULT_WALL_TIME || kind == FAULT_WALL_FROZEN) return p->wall_rate != 0;
     if (kind == FAULT_DIFFUSIVITY) return has_diffusivities(p);
     if (kind == FAULT_CAPACITY) return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
     if (kind == FAULT_AXIS) return p->dim == 2 && axis < 2;
@@ -216,6 +234,7 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
     q->data = f;
     q->initial = initial;
     q->wall = wall;
+    if (p->wall_rate) q->wall_rate = fault.kind == FAULT_WALL_FROZEN ? NULL : wall_rate;
     if (p->source || fault.kind == FAULT_CORNER) q->source = source;
     if (p->source_rate) q->source_rate = fault.kind == FAULT_FROZEN ? NULL : source_rate;
     if (fault.kind == FAULT_CLOCK) q->t_end += size;
@@ -227,7 +246,7 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
 
 int fault_is_whole(enum fault_kind kind) {
     return kind == FAULT_SWAP || kind == FAULT_CAPACITY || kind == FAULT_ISOTROPIC || kind == FAULT_TRANSPOSED ||
-           kind == FAULT_FROZEN || kind == FAULT_DIFFUSIVITY;
+           kind == FAULT_FROZEN || kind == FAULT_WALL_FROZEN || kind == FAULT_DIFFUSIVITY;
 }
 
 int fault_bends(enum fault_kind kind) {
@@ -247,7 +266,7 @@ double fault_probe(const struct problem *p, struct fault fault) {
     const int axis = kind == FAULT_INTERFACE ? 0 : fault.axis % 2;
     int is_place = kind == FAULT_EXTENT || kind == FAULT_START_SHIFT || kind == FAULT_START_WIDTH ||
                    kind == FAULT_SAMPLES || kind == FAULT_INTERFACE;
-    if (kind == FAULT_CLOCK || kind == FAULT_SOURCE_TIME) return 0.01 * p->t_end;
+    if (kind == FAULT_CLOCK || kind == FAULT_SOURCE_TIME || kind == FAULT_WALL_TIME) return 0.01 * p->t_end;
     if (is_place) return (p->hi[axis] - p->lo[axis]) / 200;
     if (kind == FAULT_SOURCE || kind == FAULT_WALL) return 1; /* the equation is linear in them */
     return fault_is_whole(kind) ? 1 : 0.01;

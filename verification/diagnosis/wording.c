@@ -38,6 +38,8 @@ static const struct {
     [FAULT_SOURCE] = {.text = "as if the source were {size} % too {way}"},
     [FAULT_SOURCE_TIME] = {"as if the source were that of {size} {unit} {way}", NULL, NULL, "earlier", "later"},
     [FAULT_FROZEN] = {.text = "as if the source kept its first value"},
+    [FAULT_WALL_TIME] = {"as if the walls were those of {size} {unit} {way}", NULL, NULL, "earlier", "later"},
+    [FAULT_WALL_FROZEN] = {.text = "as if the walls kept their first values"},
     [FAULT_CAPACITY] = {.text = "as if rho c of the second material were that of the first"},
     [FAULT_DIFFUSIVITY] = {.text = "as if a mean of diffusivities stood for the mean of conductivities between two "
                                    "materials"},
@@ -80,6 +82,8 @@ static const char *text_of(const struct diagnosis *d) {
     if (d->fault.kind == FAULT_SOURCE_TIME && strcmp(d->unit, "steps") == 0 && fabs(fabs(d->size) - 0.5) < 0.1)
         return d->size < 0 ? "as if the source were that of {size} steps earlier: of the step's start, not its middle"
                            : "as if the source were that of {size} steps later: of the step's end, not its middle";
+    if (d->fault.kind == FAULT_WALL_TIME && strcmp(d->unit, "steps") == 0 && fabs(d->size + 0.5) < 0.1)
+        return "as if the walls were those of {size} steps earlier: of the step's start in every stage";
     if ((is_wall || is_source) && fabs(d->size + 100) < 5)
         return is_wall ? "as if what {name} were lost" : "as if the source were lost";
     if ((is_wall || is_source) && fabs(d->size + 200) < 10)

@@ -37,8 +37,8 @@ struct point {
     double rate;           /* W m^-3 */
 };
 
-static int dim = 1, n[2] = {1, 1}, source_changes;
-static double lo[2], hi[2] = {0, 1}, width[2], t_end;
+static int dim = 1, n[2] = {1, 1}, source_changes, walls_change;
+static double lo[2], hi[2] = {0, 1}, width[2], t_end, dt_asked;
 static char oracle[2048];
 
 static struct point *point; /* cells and frame */
@@ -56,7 +56,7 @@ static void *need(void *pointer, const char *reason) {
 
 /* A line fits one of the formats at most, and changes nothing for the others. */
 static void read_case(const char *path) {
-    char line[4096], source[16] = "";
+    char line[4096], source[16] = "", walls[16] = "";
     FILE *f = need(fopen(path, "r"), "the case cannot be opened");
     while (fgets(line, sizeof line, f)) {
         sscanf(line, "dim = %d", &dim);
@@ -64,7 +64,9 @@ static void read_case(const char *path) {
         sscanf(line, "lo = %lf, %lf", &lo[0], &lo[1]);
         sscanf(line, "hi = %lf, %lf", &hi[0], &hi[1]);
         sscanf(line, "t_end = %lf", &t_end);
+        sscanf(line, "dt = %lf", &dt_asked);
         sscanf(line, "source = %15s", source);
+        sscanf(line, "walls = %15s", walls);
         sscanf(line, "oracle = %2047[^\n]", oracle);
         /* This code has rods and rectangles with walls: neither round bodies nor periodic ones. */
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
@@ -72,6 +74,7 @@ static void read_case(const char *path) {
     }
     fclose(f);
     source_changes = strcmp(source, "changing") == 0;
+    walls_change = strcmp(walls, "changing") == 0;
     for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
 
@@ -88,21 +91,24 @@ static int is_cell(int c) {
     return 1;
 }
 
-/* Makes the points, and writes them into the file that `reference` reads. */
-static void make_points(const char *path) {
+static void make_points(void) {
     stride = n[0] + 2;
     points = stride * (dim == 2 ? n[1] + 2 : 1);
     point = need(calloc((size_t)points, sizeof *point), "out of memory");
-    FILE *f = need(fopen(path, "w"), "the points cannot be written");
-    fprintf(f, "x,y,dx,dy\n");
-    for (int c = 0; c < points; c++) {
-        double *x = point[c].x;
+    for (int c = 0; c < points; c++)
         for (int d = 0; d < dim; d++) {
             double middle = lo[d] + (place(c, d) - 0.5) * width[d];
-            x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame is on the sides */
+            point[c].x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame is on the sides */
         }
-        fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", x[0], x[1], width[0], width[1]);
-    }
+}
+
+/* Writes the points, or those of the frame alone, into a file that `reference` reads. */
+static void write_points(const char *path, int frame) {
+    FILE *f = need(fopen(path, "w"), "the points cannot be written");
+    fprintf(f, "x,y,dx,dy\n");
+    for (int c = 0; c < points; c++)
+        if (!frame || !is_cell(c))
+            fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", point[c].x[0], point[c].x[1], width[0], width[1]);
     if (fclose(f)) stop("the points cannot be written");
 }
 
@@ -171,6 +177,7 @@ static double make_faces(void) {
     for (int c = 0; c < points; c++) {
         double speed = 0;
         if (!is_cell(c)) continue;
+        point[c].flux = 0;
         for (int d = 0; d < dim; d++) {
             int step = d == 0 ? 1 : stride;
             make_face(c, 2 * d, c - step);
@@ -206,18 +213,38 @@ static void read_sources(FILE *sources) {
     }
 }
 
-/* A source that changes in time is asked for at the start of every step, all times at once: a block
- * of lines a time. The block of the end time is left unread. */
-static void run(const char *path, int steps) {
+/* The same for the walls at the points of the frame. */
+static void read_walls(FILE *walls) {
+    for (int c = 0; c < points; c++) {
+        if (is_cell(c)) continue;
+        for (int d = 0; d < 1 + dim; d++) next_number(walls);
+        for (int d = 0; d < dim; d++) {
+            next_number(walls);
+            point[c].axis[d].value = next_number(walls);
+            next_number(walls);
+        }
+    }
+    make_faces();
+}
+
+/* Data that change in time are asked for at the start of every step, all times at once: a block of
+ * lines a time.  The block of the end time is left unread. */
+static void run(const char *path, const char *frame, int steps) {
     char times[64];
-    FILE *sources = NULL;
+    FILE *sources = NULL, *walls = NULL;
     snprintf(times, sizeof times, "0:%.17g:%d", t_end, steps + 1);
     if (source_changes) sources = ask(path, times, "source");
+    if (walls_change) {
+        write_points(frame, 1);
+        walls = ask(frame, times, dim == 2 ? "wall_x,wall_y" : "wall_x");
+    }
     for (int step = 0; step < steps; step++) {
         if (sources) read_sources(sources);
+        if (walls) read_walls(walls);
         step_by(t_end / steps);
     }
     if (sources) pclose(sources);
+    if (walls) pclose(walls);
 }
 
 static void write_answer(const char *path, int steps) {
@@ -233,14 +260,17 @@ static void write_answer(const char *path, int steps) {
 }
 
 int main(int argc, char **argv) {
-    char path[4096];
+    char path[4096], frame[4096];
     if (argc != 3) stop("two arguments are needed: CASE OUT");
     snprintf(path, sizeof path, "%s.points", argv[2]);
+    snprintf(frame, sizeof frame, "%s.frame", argv[2]);
     read_case(argv[1]);
-    make_points(path);
+    make_points();
+    write_points(path, 0);
     ask_scene(path);
     int steps = (int)ceil(t_end * make_faces() / 0.25); /* half of what is stable */
-    run(path, steps);
+    if (dt_asked > 0) steps = (int)ceil(t_end / dt_asked - 1e-9);
+    run(path, frame, steps);
     write_answer(argv[2], steps);
     return 0;
 }

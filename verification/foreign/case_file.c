@@ -33,6 +33,7 @@ const char case_file_help[] =
     "  side_r_hi, side_r_lo     the same for the outer wall and the hole of a round body; nine values are at the\n"
     "                           angles 0, 45, ... 360 degrees (of a ball: at z = 0)\n"
     "  source                   no; yes, a source constant in time; changing, a source that depends on time\n"
+    "  walls                    only if they change in time: changing; side_... is then their value at t = 0\n"
     "  t_end, dx, dt, fourier   s, m, s, 1; dt or fourier only if given\n"
     "  dy                       m, only if given: the spacing along y where it is not dx.  A program with one "
     "spacing\n"
@@ -164,6 +165,7 @@ void case_file_write(const struct scene *s, const struct problem *of, const stru
             : p->source                    ? "yes"
                                            : "no",
             p->t_end, o->dx);
+    if (p->wall_rate) fputs("walls = changing\n", out);
     if (o->aspect > 0) fprintf(out, "dy = %.17g\n", options_spacing(o, 1));
     if (o->dt > 0) fprintf(out, "dt = %.17g\n", o->dt);
     if (o->fourier > 0) fprintf(out, "fourier = %.17g\n", o->fourier);

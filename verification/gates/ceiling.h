@@ -58,6 +58,9 @@ double ceiling_cooled(const struct experiment *e, double more, int cloud);
 /* rod-driven and plate-driven: e_t = L e + r, with r(t) from the fourth derivatives, or from the sixth ones on a rod
  * at order 4. */
 double ceiling_driven(const struct experiment *e);
+/* The part of a cell-centred code without dT/dt in its walls: with T_w - T_0 over half a cell the wall is off by
+ * dx^2/8 T_nn. */
+double ceiling_plain_wall(const struct experiment *e);
 /* 4th moments under jitter of j dx: 1 + 4 j^2 */
 double ceiling_jitter(const struct experiment *e);
 
@@ -98,6 +101,8 @@ double ceiling_time(const struct experiment *e);
 double ceiling_third(const struct experiment *e);
 /* rod-driven and plate-driven: also the data of each step, linear in time. */
 double ceiling_driven_time(const struct experiment *e);
+/* rod-driven: explicit Euler steps of dt with the wall of their end, or implicit ones with that of their start. */
+double ceiling_driven_step(const struct experiment *e, double dt);
 /* dx^4/540 t T_ttt/kappa^2: Euler steps at F = 1/6 cancel the leading error of the three-point difference. */
 double ceiling_sixth(const struct experiment *e);
 

@@ -34,6 +34,7 @@ enum { MOST_X = 160, MOST_Y = 24, TIMES = 33 };
 struct driven_error {
     const struct experiment *e;
     struct ceiling_symbol symbol;
+    int plain;                       /* 1: walls alone, without dT/dt in their ghosts */
     int n[2], degree;                /* cells; 4 or 6 */
     double h[2], kappa[2], euler;    /* m, m^2/s; dt/2, s */
     double r[TIMES][MOST_Y][MOST_X]; /* K s^-1 */
@@ -99,6 +100,7 @@ static double residual(const struct driven_error *m, const struct snapshot *s, c
 static double missed(const struct driven_error *m, const struct snapshot *s, int side, const double x[2]) {
     const struct problem *p = &m->e->problem;
     const double dx = m->e->options.dx, k = p->material[0].k[side / 2], b = p->robin[side], n = side % 2 ? 1 : -1;
+    if (p->side[side] == DIRICHLET && m->plain) return -sq(dx) / 8 * along(s, x, side / 2, 2);
     if (p->side[side] == DIRICHLET)
         return m->degree == 6 ? -pow(dx, 4) * m->symbol.ghost[0] / 12 * along(s, x, side / 2, 4) : 0;
     if (p->side[side] == NEUMANN) return 0;
@@ -162,7 +164,7 @@ static void diffuse(struct driven_error *m) {
 static struct driven_error *create(const struct experiment *e) {
     const struct problem *p = &e->problem;
     struct driven_error *m = xcalloc(1, sizeof *m);
-    *m = (struct driven_error){.e = e, .symbol = ceiling_symbol(e), .n = {p->dim == 1 ? MOST_X : MOST_Y, 1}};
+    *m = (struct driven_error){.e = e, .n = {p->dim == 1 ? MOST_X : MOST_Y, 1}};
     m->degree = e->options.order == 4 ? 6 : 4;
     if (p->dim == 2) m->n[1] = (int)fmin(MOST_Y, round(MOST_Y * p->hi[1] / p->hi[0]));
     for (int a = 0; a < p->dim; a++)
@@ -187,26 +189,48 @@ static double finish(struct driven_error *m, double more) {
 
 double ceiling_driven(const struct experiment *e) {
     struct driven_error *m = create(e);
+    m->symbol = ceiling_symbol(e);
     if (!e->method->scheme) m->euler = e->options.fourier / 2 * sq(e->options.dx) / problem_diffusivity(&e->problem);
     for (int t = 0; t < TIMES; t++) sample(m, t);
     diffuse(m);
     return finish(m, 0);
 }
 
-double ceiling_driven_time(const struct experiment *e) {
+double ceiling_plain_wall(const struct experiment *e) {
+    struct driven_error *m = create(e);
+    m->plain = 1;
+    for (int t = 0; t < TIMES; t++) sample(m, t);
+    memset(m->r, 0, sizeof m->r);
+    diffuse(m);
+    return finish(m, 0);
+}
+
+/* The steps' contributions, of an order and with the third-order term of the flow; Dirichlet sides are taken `lead`
+ * seconds early. */
+static double time_error(const struct experiment *e, double dt, int order, double third, double lead) {
     struct driven_error *m = create(e);
     const struct problem *p = &e->problem;
-    const int first = stepper_of(e->options.stepper)->order == 1;
-    const double dt = e->options.dt, third = ceiling_third(e);
-    double x[2];
-    for (int t = 0; t < TIMES; t++)
+    double x[2], more = order == 1 ? 0 : dt * dt * (third + 1.0 / 12);
+    for (int t = 0; t < TIMES; t++) {
+        double at = p->t_end * t / (TIMES - 1);
         for (int j = 0; j < m->n[1]; j++)
             for (int i = 0; i < m->n[0]; i++) {
-                double at = p->t_end * t / (TIMES - 1);
                 centre(m, i, j, x);
-                m->r[t][j][i] = first ? -dt / 2 * in_time(m, x, at, 2) : -third * dt * dt * in_time(m, x, at, 3);
-                if (t == 0 && !first) m->e_now[j][i] = -(third + 1.0 / 12) * dt * dt * in_time(m, x, at, 2);
+                m->r[t][j][i] = order == 1 ? -dt / 2 * in_time(m, x, at, 2) : -third * dt * dt * in_time(m, x, at, 3);
+                if (t == 0 && order > 1) m->e_now[j][i] = -more * in_time(m, x, at, 2);
             }
+        for (int s = 0; s < 2 && lead != 0; s++) /* of a rod */
+            m->wall[t][s][0] = lead * p->wall_rate(p, (enum side)s, (double[2]){s ? p->hi[0] : p->lo[0], 0}, at);
+    }
     diffuse(m);
-    return finish(m, first ? 0 : (third + 1.0 / 12) * dt * dt);
+    return finish(m, more);
+}
+
+double ceiling_driven_time(const struct experiment *e) {
+    int order = stepper_of(e->options.stepper)->order;
+    return time_error(e, e->options.dt, order, order == 1 ? 0 : ceiling_third(e), 0);
+}
+
+double ceiling_driven_step(const struct experiment *e, double dt) {
+    return time_error(e, dt, 1, 0, dt);
 }

@@ -34,7 +34,7 @@ static void solve(const char *name, const struct problem *p, struct fault fault,
     for (int m = 0; m < p->materials; m++)
         for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
     double dt = p->t_end / ceil(p->t_end * kappa / (0.2 * dx * dx));
-    if (fault.kind == FAULT_CLOCK || fault.kind == FAULT_SOURCE_TIME) size *= dt;
+    if (fault.kind == FAULT_CLOCK || fault.kind == FAULT_SOURCE_TIME || fault.kind == FAULT_WALL_TIME) size *= dt;
     if (fault.kind == FAULT_EXTENT || fault.kind == FAULT_START_SHIFT || fault.kind == FAULT_START_WIDTH ||
         fault.kind == FAULT_INTERFACE || fault.kind == FAULT_MEAN || fault.kind == FAULT_CORNER ||
         fault.kind == FAULT_NEAR_WALL)
@@ -126,6 +126,13 @@ static void faults_are_named_with_their_size(void **state) {
         {"rod-contact", 0.01, {FAULT_DIFFUSIVITY, 0}, 1, 100, "mean of diffusivities"},
         {"wall-composite", 0.01, {FAULT_DIFFUSIVITY, 0}, 1, 100, "mean of diffusivities"},
         {CHANGING, 0.0125, {FAULT_FROZEN, 0}, 1, 100, "source kept its first value"},
+        {"rod-driven", 0.025, {FAULT_WALL_TIME, 0}, -1, -1, "walls were those of 1 step earlier"},
+        {"rod-driven", 0.025, {FAULT_WALL_TIME, 0}, -0.5, -0.5, "of the step's start in every stage"},
+        {"rod-driven", 0.025, {FAULT_CLOCK, 0}, -1, -1, "stopped 1 step early"},
+        {"rod-driven", 0.025, {FAULT_WALL_FROZEN, 0}, 1, 100, "walls kept their first values"},
+        {"plate-driven", 0.05, {FAULT_WALL_TIME, 0}, 2, 2, "walls were those of 2 steps later"},
+        {"plate-driven", 0.05, {FAULT_CLOCK, 0}, 2, 2, "stopped 2 steps late"},
+        {"plate-driven", 0.05, {FAULT_WALL_FROZEN, 0}, 1, 100, "walls kept their first values"},
         {"rod-cooling", 0.005, {FAULT_NEAR_WALL, 0}, 0.5, 0.5, "half a cell inside"},
         {"plate-cooling", 0.025, {FAULT_NEAR_WALL, 0}, 0.5, 0.5, "half a cell inside"},
         {"rod-step", 0.025, {FAULT_OFFSET, 0}, -0.07, -0.07, "all temperatures are 0.07 K too low"},
