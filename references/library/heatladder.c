@@ -12,6 +12,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -122,25 +123,30 @@ struct evaluation {
     const struct hl_problem *problem;
     double t;
     size_t n;
-    const double *x, *y;
+    const double *x[DIM_MAX];
     double *T, *bound;
 };
 
+static const char axes[DIM_MAX] = {'x', 'y', 'z'};
+
 /* Copies the point into at; one within 1e-9 of the extent from a side is on it. */
-static int take_point(const struct evaluation *e, size_t i, double at[2], struct failure *why) {
+static int take_point(const struct evaluation *e, size_t i, double at[DIM_MAX], struct failure *why) {
     const double SLACK = 1e-9;
     const struct problem *p = &e->problem->problem;
-    at[0] = e->x[i], at[1] = p->dim == 2 ? e->y[i] : 0;
     for (int a = 0; a < p->dim; a++) {
+        at[a] = e->x[a][i];
         double away = SLACK * (p->hi[a] - p->lo[a]);
         if (!(at[a] >= p->lo[a] - away && at[a] <= p->hi[a] + away))
-            return refuse(why, STATUS_INPUT, "point %zu: %c = %.12g m is outside %g to %g m", i, "xy"[a], at[a],
-                          p -> lo[a], p -> hi[a]);
+            return refuse(why, STATUS_INPUT, "point %zu: %c = %.12g m is outside %g to %g m", i, axes[a], at[a],
+                          p->lo[a], p->hi[a]);
         if (fabs(at[a] - p->lo[a]) <= away) at[a] = p->lo[a];
         if (fabs(at[a] - p->hi[a]) <= away) at[a] = p->hi[a];
     }
+    char third[32] = "";
+    if (p->dim == 3) snprintf(third, sizeof third, ", %g", at[2]);
     if (p->shape && !(shape_depth(p, at) >= -SLACK * p->radius[1]))
-        return refuse(why, STATUS_INPUT, "point %zu: %g, %g m is outside the %s", i, at[0], at[1], p->shape->name);
+        return refuse(why, STATUS_INPUT, "point %zu: %g, %g%s m is outside the %s", i, at[0], at[1], third,
+                      p->shape->name);
     return STATUS_OK;
 }
 
@@ -149,18 +155,22 @@ static int evaluate(void *argument, struct failure *why) {
     const struct evaluation *e = argument;
     const struct problem *p = &e->problem->problem;
     if (!(e->t >= 0 && isfinite(e->t))) return refuse(why, STATUS_INPUT, "t = %g s: must be finite and >= 0", e->t);
-    if (p->dim == 2 && e->n && !e->y)
-        return refuse(why, STATUS_INPUT, "y is missing: %s is a plane", e->problem->scene->name);
-    double at[2], *x = xcalloc(BATCH, sizeof *x), *y = xcalloc(BATCH, sizeof *y);
+    double at[DIM_MAX], *x[DIM_MAX] = {NULL};
+    for (int a = 0; a < p->dim; a++) {
+        if (e->n && !e->x[a])
+            return refuse(why, STATUS_INPUT, "%c is missing: %s has %d axes", axes[a], e->problem->scene->name,
+                          p->dim);
+        x[a] = xcalloc(BATCH, sizeof **x);
+    }
     struct exact *exact = xcalloc(BATCH, sizeof *exact);
     struct snapshot s = snapshot_take(e->problem->scene, p, e->t);
     for (size_t first = 0; first < e->n; first += BATCH) {
         size_t count = e->n - first < BATCH ? e->n - first : BATCH;
         for (size_t i = 0; i < count; i++) {
             if (take_point(e, first + i, at, why)) return why->status;
-            x[i] = at[0], y[i] = at[1];
+            for (int a = 0; a < p->dim; a++) x[a][i] = at[a];
         }
-        snapshot_at_points(&s, count, x, p->dim == 2 ? y : NULL, NULL, exact);
+        snapshot_at_points(&s, count, x[0], x[1], x[2], exact);
         for (size_t i = 0; i < count; i++) {
             e->T[first + i] = exact[i].temperature;
             if (e->bound) e->bound[first + i] = exact[i].error_bound;
@@ -169,10 +179,15 @@ static int evaluate(void *argument, struct failure *why) {
     return STATUS_OK; /* the guard releases the arrays and the snapshot */
 }
 
+int hl_exact_at(const struct hl_problem *problem, double t, size_t n, const double *x, const double *y,
+                const double *z, double *T, double *bound, struct hl_error *why) {
+    struct evaluation e = {problem, t, n, {x, y, z}, T, bound};
+    return call(evaluate, &e, why);
+}
+
 int hl_exact(const struct hl_problem *problem, double t, size_t n, const double *x, const double *y, double *T,
              double *bound, struct hl_error *why) {
-    struct evaluation e = {problem, t, n, x, y, T, bound};
-    return call(evaluate, &e, why);
+    return hl_exact_at(problem, t, n, x, y, NULL, T, bound, why);
 }
 
 /* ---- Solvers ---- */
@@ -262,6 +277,7 @@ static int solve(void *argument, struct failure *why) {
                                   .n = f.n,
                                   .x = guard_keep(f.x),
                                   .y = guard_keep(f.y),
+                                  .z = guard_keep(f.z),
                                   .T = guard_keep(f.T),
                                   .t = f.time,
                                   .dt = f.dt,
@@ -279,6 +295,7 @@ int hl_solve(const struct hl_problem *problem, const char *method, const struct 
 void hl_field_free(struct hl_field *field) {
     guard_free(field->x);
     guard_free(field->y);
+    guard_free(field->z);
     guard_free(field->T);
     *field = (struct hl_field){0};
 }

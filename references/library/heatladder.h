@@ -52,9 +52,9 @@ struct hl_setting {
 };
 
 struct hl_box {
-    int dim;             /* 1: a rod; 2 */
-    double lo[2], hi[2]; /* m; of a round body the box around it */
-    double hole, radius; /* m, of a round body about 0; 0 of a rod or a rectangle */
+    int dim;             /* 1: a rod; 2; 3 */
+    double lo[3], hi[3]; /* m; of a round body the box around it; 0 past dim */
+    double hole, radius; /* m, of a round body about 0; 0 of a rod, a rectangle or a box */
     double t_end;        /* s */
 };
 
@@ -70,9 +70,13 @@ HL_API struct hl_problem *hl_problem_create(const char *scene, const struct hl_s
 HL_API void hl_problem_free(struct hl_problem *problem);
 HL_API void hl_problem_box(const struct hl_problem *problem, struct hl_box *box);
 
-/* Exact temperatures T[i], K, and bounds of their error at the n points (x[i], y[i]) and the time t >= 0 s.  y is
- * NULL on a rod; bound may be NULL.  At a corner whose sides disagree T is the mean of both and the bound half of
- * their difference.  A status. */
+/* Exact temperatures T[i], K, and bounds of their error at the n points (x[i], y[i], z[i]) and the time t >= 0 s.  y
+ * is NULL on a rod, z on a rod and in the plane; bound may be NULL.  At a corner whose sides disagree T is the mean
+ * of both and the bound half of their difference.  A status. */
+HL_API int hl_exact_at(const struct hl_problem *problem, double t, size_t n, const double *x, const double *y,
+                       const double *z, double *T, double *bound, struct hl_error *why);
+
+/* The same for rods and planes. */
 HL_API int hl_exact(const struct hl_problem *problem, double t, size_t n, const double *x, const double *y, double *T,
                     double *bound, struct hl_error *why);
 
@@ -98,6 +102,7 @@ struct hl_field {
     int dim;
     size_t n;
     double *x, *y, *T; /* m, m, K: n each; y is NULL on a rod */
+    double *z;         /* m, n; NULL on a rod and in the plane */
     double t;          /* s */
     double dt;         /* s; 0 for "exact" */
     long long steps;   /* 0 for "exact" */

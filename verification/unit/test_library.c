@@ -59,8 +59,9 @@ static void scenes_have_initial_data(void **state) {
         struct hl_error why;
         double T, bound;
         hl_problem_box(h, &box);
-        double x = (box.lo[0] + 2 * box.hi[0]) / 3 + box.hole / 3, y = (box.lo[1] + box.hi[1]) / 2;
-        assert_int_equal(hl_exact(h, 0, 1, &x, &y, &T, &bound, &why), HL_OK);
+        double x = (box.lo[0] + 2 * box.hi[0]) / 3 + box.hole / 3, y = (box.lo[1] + box.hi[1]) / 2,
+               z = (2 * box.lo[2] + box.hi[2]) / 3;
+        assert_int_equal(hl_exact_at(h, 0, 1, &x, &y, &z, &T, &bound, &why), HL_OK);
         assert_true(isfinite(T) && bound >= 0);
         hl_problem_free(h);
     }
@@ -98,6 +99,41 @@ static void fields_are_those_of_the_solver(void **state) {
         field_free(&b);
     }
     hl_problem_free(h);
+}
+
+/* In batches of 4096. */
+static void points_in_space_are_those_of_the_scene(void **state) {
+    (void)state;
+    enum { N = 5000 };
+    static double x[3][N], T[N], bound[N];
+    static const char *const name[] = {"cube-step", "ball-mode"};
+    for (int k = 0; k < 2; k++) {
+        const struct scene *s = scene_find(name[k]);
+        struct hl_problem *h = problem_of(name[k], NULL);
+        struct hl_error why;
+        struct hl_box box;
+        struct problem p;
+        struct failure failure;
+        scene_defaults(s, &p);
+        assert_int_equal(s->setup(&p, &failure), STATUS_OK);
+        hl_problem_box(h, &box);
+        assert_int_equal(box.dim, 3);
+        for (int i = 0; i < N; i++)
+            for (int a = 0; a < 3; a++)
+                x[a][i] = 0.55 * (box.lo[a] + (box.hi[a] - box.lo[a]) * (i * (a + 3) % N) / N);
+        assert_int_equal(hl_exact_at(h, 0.9, N, x[0], x[1], x[2], T, bound, &why), HL_OK);
+        for (int i = 0; i < N; i += 7) {
+            struct exact e = scene_exact(s, &p, (double[DIM_MAX]){x[0][i], x[1][i], x[2][i]}, 0.9);
+            assert_near(T[i], e.temperature, e.error_bound);
+            assert_near(bound[i], e.error_bound, e.error_bound);
+        }
+        assert_int_equal(hl_exact(h, 0.9, N, x[0], x[1], T, bound, &why), HL_INPUT);
+        assert_has(why.text, "z is missing");
+        x[2][3] = 77;
+        assert_int_equal(hl_exact_at(h, 0.9, N, x[0], x[1], x[2], T, bound, &why), HL_INPUT);
+        assert_has(why.text, "point 3: z = 77 m is outside");
+        hl_problem_free(h);
+    }
 }
 
 static void invalid_input_is_named(void **state) {
@@ -172,6 +208,7 @@ int main(void) {
         cmocka_unit_test(exact_temperatures_are_those_of_the_scene),
         cmocka_unit_test(scenes_have_initial_data),
         cmocka_unit_test(fields_are_those_of_the_solver),
+        cmocka_unit_test(points_in_space_are_those_of_the_scene),
         cmocka_unit_test(invalid_input_is_named),
         cmocka_unit_test(out_of_memory_is_a_status),
     };

@@ -28,7 +28,7 @@ class _Setting(Structure):
 
 
 class _Box(Structure):
-    _fields_ = [("dim", c_int), ("lo", c_double * 2), ("hi", c_double * 2), ("hole", c_double), ("radius", c_double),
+    _fields_ = [("dim", c_int), ("lo", c_double * 3), ("hi", c_double * 3), ("hole", c_double), ("radius", c_double),
                 ("t_end", c_double)]
 
 
@@ -40,7 +40,7 @@ class _Options(Structure):
 
 class _Field(Structure):
     _fields_ = [("dim", c_int), ("n", c_size_t), ("x", POINTER(c_double)), ("y", POINTER(c_double)),
-                ("T", POINTER(c_double)), ("t", c_double), ("dt", c_double), ("steps", c_longlong)]
+                ("T", POINTER(c_double)), ("z", POINTER(c_double)), ("t", c_double), ("dt", c_double), ("steps", c_longlong)]
 
 
 @lru_cache(maxsize=None)
@@ -60,7 +60,7 @@ def _library() -> ctypes.CDLL:
     h.hl_problem_free.argtypes = [c_void_p]
     h.hl_problem_box.argtypes = [c_void_p, POINTER(_Box)]
     h.hl_parameter.argtypes = [c_char_p, c_int, POINTER(_Parameter)]
-    h.hl_exact.argtypes = [c_void_p, c_double, c_size_t, *[c_void_p] * 4, POINTER(_Error)]
+    h.hl_exact_at.argtypes = [c_void_p, c_double, c_size_t, *[c_void_p] * 5, POINTER(_Error)]
     h.hl_solve.argtypes = [c_void_p, c_char_p, POINTER(_Options), POINTER(_Field), POINTER(_Error)]
     return h
 
@@ -111,7 +111,7 @@ def _check(status: int, why: _Error) -> None:
 def exact(scene: str, points: Any, t: float, bound: bool = False, **parameters: Union[float, str]) -> Any:
     """Exact temperatures of a scene at points and a time: an array, K.
 
-    points      (n,) on a rod, (n, 2) in the plane, m
+    points      (n,) on a rod, (n, 2) in the plane, (n, 3) in space, m
     t           s
     bound       True: a pair of arrays, temperatures and bounds of their error
     parameters  of the scene, as in `heatladder list scenes`: kappa=0.02
@@ -120,19 +120,19 @@ def exact(scene: str, points: Any, t: float, bound: bool = False, **parameters: 
     at = numpy.asarray(points, float)
     with _Problem(scene, parameters) as problem:
         dim = problem.box().dim
-        if dim == 2 and at.shape[-1:] != (2,):
-            raise ValueError(f"{scene} is in the plane: points are (n, 2)")
-        columns = [numpy.ascontiguousarray(at[..., axis] if dim == 2 else at) for axis in range(dim)]
+        if dim > 1 and at.shape[-1:] != (dim,):
+            raise ValueError(f"{scene} is in {'the plane' if dim == 2 else 'space'}: points are (n, {dim})")
+        columns = [numpy.ascontiguousarray(at[..., axis] if dim > 1 else at) for axis in range(dim)]
         T, error, why = numpy.empty(columns[0].shape), numpy.empty(columns[0].shape), _Error()
-        places = [column.ctypes.data for column in columns] + [None]
-        _check(_library().hl_exact(problem.address, t, T.size, places[0], places[1], T.ctypes.data, error.ctypes.data,
-                                   byref(why)), why)
+        places = [column.ctypes.data for column in columns] + [None] * (3 - dim)
+        _check(_library().hl_exact_at(problem.address, t, T.size, *places, T.ctypes.data, error.ctypes.data,
+                                      byref(why)), why)
     return (T, error) if bound else T
 
 
 def solve(scene: str, method: str, dx: float, parameters: Optional[Mapping[str, Union[float, str]]] = None,
           **options: Union[float, str]) -> Tuple[Any, Any]:
-    """Solves a scene to its end time: points, (n,) or (n, 2), and temperatures, (n,).
+    """Solves a scene to its end time: points, (n,), (n, 2) or (n, 3), and temperatures, (n,).
 
     options  of the method: stepper="rk2", dt=0.01, kernel="wendland", h=1.3, layout="jitter", jitter=0.2, seed=3, ...
     """
@@ -146,6 +146,7 @@ def solve(scene: str, method: str, dx: float, parameters: Optional[Mapping[str, 
     with _Problem(scene, parameters or {}) as problem:
         _check(_library().hl_solve(problem.address, method.encode(), byref(_Options(dx=dx, **given)), byref(found),
                                    byref(why)), why)
-    *places, T = [numpy.ctypeslib.as_array(column, (found.n,)).copy() for column in (found.x, found.y, found.T) if column]
+    *places, T = [numpy.ctypeslib.as_array(column, (found.n,)).copy() for column in
+                  (found.x, found.y, found.z, found.T) if column]
     _library().hl_field_free(byref(found))
     return (places[0] if len(places) == 1 else numpy.column_stack(places)), T

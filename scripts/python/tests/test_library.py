@@ -34,6 +34,16 @@ def test_exact_takes_points_of_the_plane_in_any_shape():
     assert T[1, 1] == pytest.approx(one[0], abs=1e-12)
 
 
+def test_exact_takes_points_in_space():
+    points = numpy.moveaxis(numpy.mgrid[-0.6:0.6:3j, 0.2:0.8:2j, -1:1:4j], 0, -1)
+    T, bound = heatladder.exact("cube-step", points, 3, bound=True)
+    assert T.shape == (3, 2, 4) and bound.max() < 1e-12
+    one = heatladder.reference("cube-step", [list(points[1, 1, 2])], "temperature", time=3)["temperature"]
+    assert T[1, 1, 2] == pytest.approx(one[0], abs=1e-12)
+    with pytest.raises(ValueError, match="in space"):
+        heatladder.exact("cube-step", [(0.1, 0.2)], 3)
+
+
 def test_a_choice_is_a_word():
     steel = heatladder.exact("plate", [(0.03, 0.04)], 20, material="steel")
     assert (heatladder.exact("plate", [(0.03, 0.04)], 20, material="vanadium") != steel).all()
