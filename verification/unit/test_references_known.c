@@ -160,6 +160,26 @@ static void cooled_balls_follow_heisler(void **state) {
     }
 }
 
+/* j_1(s) = s/3 - ..., and Y_1m = sqrt(3/(4 pi)) times z/r for m = 0, x/r for m = 1. */
+static void gradients_hold_at_the_centre_of_a_ball(void **state) {
+    (void)state;
+    const double centre[DIM_MAX] = {0};
+    for (int m = 0; m < 2; m++) {
+        struct problem p;
+        struct scene s = *scene_find("ball-mode");
+        s.odd.param[3] = 1, s.odd.param[4] = m;
+        odd_setup(&s, &p);
+        double lambda = p.param[10], amplitude = p.param[6] * sqrt(3 / (4 * M_PI)) * lambda / (3 * p.radius[1]);
+        struct exact e = scene_exact(&s, &p, centre, 0);
+        assert_near(e.temperature, p.param[5], e.error_bound);
+        for (int a = 0; a < 3; a++) assert_near(e.gradient[a], a == (m ? 0 : 2) ? amplitude : 0, e.gradient_bound[a]);
+    }
+    struct problem p;
+    const struct scene *s = odd_find("ball-cooling", &p);
+    for (double t = 0.01; t < 20; t *= 9)
+        for (int a = 0; a < 3; a++) assert_near(scene_exact(s, &p, centre, t).gradient[a], 0, 0);
+}
+
 /* With diffusivity zero along an axis the middle of the brick along it stays hot. */
 static void slow_axes_leave_a_square_and_a_rod(void **state) {
     (void)state;
@@ -236,15 +256,16 @@ static void bound_holds_near_a_full_period(void **state) {
  * and not at all far from them. */
 static void published_infinite_line_ignores_walls(void **state) {
     (void)state;
-    static const char *const lines[] = {"rod-step", "rod-gauss", "square-step"};
-    static const double at_wall[] = {5.2e-6, 6.2e-13, 5.2e-6}; /* T0/2 erfc((L-a)/s) etc., half of it at the wall */
-    for (int i = 0; i < 3; i++) {
+    static const char *const lines[] = {"rod-step", "rod-gauss", "square-step", "cube-step"};
+    static const double at_wall[] = {5.2e-6, 6.2e-13, 5.2e-6,
+                                     3.7e-4}; /* T0/2 erfc((L-a)/s) etc., half of it at the wall */
+    for (int i = 0; i < 4; i++) {
         struct problem p;
         struct failure why;
         const struct scene *s = scene_find(lines[i]);
         scene_defaults(s, &p);
         assert_int_equal(s->setup(&p, &why), STATUS_OK);
-        double far[2] = {0.1, -0.2}, wall[2] = {p.hi[0], 0};
+        double far[DIM_MAX] = {0.1, -0.2}, wall[DIM_MAX] = {p.dim < 3 ? p.hi[0] : 0, 0, p.hi[2]};
         assert_near(s->published(&p, far, p.t_end), scene_exact(s, &p, far, p.t_end).temperature, 1e-13);
         double miss = s->published(&p, wall, p.t_end) - scene_exact(s, &p, wall, p.t_end).temperature;
         print_message("%-12s as published misses the wall by %.3e K\n", lines[i], miss);
@@ -279,6 +300,7 @@ int main(void) {
         cmocka_unit_test(bounds_of_small_pulses_are_small),
         cmocka_unit_test(nafems_t4),
         cmocka_unit_test(cooled_balls_follow_heisler),
+        cmocka_unit_test(gradients_hold_at_the_centre_of_a_ball),
         cmocka_unit_test(slow_axes_leave_a_square_and_a_rod),
         cmocka_unit_test(plate_of_the_paper),
         cmocka_unit_test(bound_holds_near_a_full_period),
