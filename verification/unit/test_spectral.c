@@ -60,6 +60,32 @@ static void modes_decay_at_their_rates(void **state) {
     }
 }
 
+static double brick(const struct problem *p, const double *x) {
+    return rectangle(p, x) * wave(p, 2, 6, x[2]);
+}
+
+/* The third axis has sines or cosines of its own; its two sides must be of one kind. */
+static void modes_of_a_box_decay_along_z_too(void **state) {
+    (void)state;
+    static const int n[3] = {24, 16, 20};
+    const double x[3] = {0.37, 0.83, -0.23}, t = 2.385;
+    for (int kind = 0; kind < 2; kind++) {
+        struct problem p = box(3, NEUMANN, DIRICHLET), plane = box(2, NEUMANN, DIRICHLET);
+        p.lo[2] = -0.7, p.hi[2] = 0.2, p.material[0].k[2] = 0.013;
+        p.side[Z_LO] = p.side[Z_HI] = kind ? NEUMANN : DIRICHLET;
+        struct spectral *s = spectral_alloc(&p, n, brick), *flat = spectral_alloc(&plane, n, rectangle);
+        struct exact e = spectral_at(s, x, t), start = spectral_at(s, x, 0), f = spectral_at(flat, x, t);
+        assert_near(start.temperature, brick(&p, x), start.error_bound);
+        assert_near(e.temperature, f.temperature * wave(&p, 2, 6, x[2]) * exp(-rate(&p, 2, 6) * t),
+                    e.error_bound + f.error_bound);
+        assert_order(e.error_bound, <, 1e-12);
+        spectral_free(s);
+        spectral_free(flat);
+        p.side[Z_LO] = kind ? DIRICHLET : NEUMANN;
+        assert_null(spectral_alloc(&p, n, brick));
+    }
+}
+
 /* The mode that alternates from sample to sample is weighted apart from the others. */
 static double last_mode(const struct problem *p, const double x[2]) {
     return 1.3 * wave(p, 0, 8, x[0]) + 0.9;
@@ -111,6 +137,7 @@ static void unequal_sides_and_two_materials_are_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(modes_decay_at_their_rates),
+        cmocka_unit_test(modes_of_a_box_decay_along_z_too),
         cmocka_unit_test(end_modes_have_half_weight),
         cmocka_unit_test(unresolved_data_have_a_large_error_bound),
         cmocka_unit_test(unequal_sides_and_two_materials_are_refused),
