@@ -47,7 +47,8 @@ static void make(struct made *m, struct problem p, struct options o, const struc
     for (int k = 0; k < UPDATES; k++) {
         m->u[k] = (struct update){.rate = (1 + 0.1 * k) / (2 * bound), .self = 1};
         if (!plain)
-            m->u[k] = (struct update){(1 + 0.1 * k) / (4 * bound), 0.83, -0.21, 0.17 + 0.01 * k, k % 5 ? m->Y0 : NULL};
+            m->u[k] =
+                (struct update){(1 + 0.1 * k) / (4 * bound), 0.83, -0.21, 0.17 + 0.01 * k, k % 5 ? m->Y0 : NULL};
     }
 }
 
@@ -149,7 +150,8 @@ static struct problem isotropic_box(void) {
 static void other_stencils_equal_their_definition(void **state) {
     (void)state;
     for (int plain = 0; plain < 2; plain++) {
-        assert_defined(isotropic_box(), (struct options){.dx = 0.1, .h = 0.7}, &method_brookshaw, plain); /* 7 points */
+        assert_defined(isotropic_box(), (struct options){.dx = 0.1, .h = 0.7}, &method_brookshaw,
+                       plain); /* 7 points */
         assert_defined(odd_box(), (struct options){.dx = 0.1, .h = 1.1}, &method_fo_ssph, plain);
         assert_defined(odd_box(), (struct options){.dx = 0.1, .h = 2.2, .order = 4}, &method_so_ssph, plain);
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Half and quarter domains against the whole: the same field to rounding, for the work of the part. */
+/* Half, quarter and octant domains against the whole: the same field to rounding, for the work of the part. */
 #include "verification/run/symmetry.h"
 
 #include "verification/ladder/command.h"
@@ -54,6 +54,11 @@ static void reduced_domain_equals_the_whole(void **state) {
     as_the_whole("run square-step ftcs_flux --dx 0.1 --fourier 0.2", 4);
     as_the_whole("run square-step so_ssph --dx 0.1 --h iso --stepper matched --sampling spline", 4);
     as_the_whole("run square-step so_ssph --dx 0.1 --h iso --stepper matched --set kappa_y=0.0025 --set b=0.7", 4);
+    as_the_whole("run cube-step so_ssph --dx 0.1 --stepper exact", 8);
+    as_the_whole("run cube-step fo_ssph --dx 0.1 --stepper rkl2 --dt 0.5", 8);
+    as_the_whole("run cube-step so_ssph --dx 0.1 --h iso --stepper matched --sampling spline --set kappa_y=0.01 "
+                 "--set kappa_z=0.01",
+                 8);
 }
 
 static void asymmetric_problems_are_not_cut(void **state) {
