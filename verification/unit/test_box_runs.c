@@ -246,6 +246,30 @@ static void samples_of_products_are_products(void **state) {
     }
 }
 
+static double bent_along_one_axis(const struct problem *p, const double *x) {
+    int a = (int)p->param[0];
+    return fmax(0, x[a] - p->lo[a] - 0.2);
+}
+
+/* A wall is met only if it is met on every line. */
+static void walls_are_met_on_all_lines(void **state) {
+    (void)state;
+    for (int s = 0; s < SIDES; s++)
+        for (int a = 0; a < DIM_MAX; a++) {
+            struct problem p = odd_box();
+            struct options o = {.dx = 0.1};
+            struct lattice l;
+            struct failure why;
+            if (a == s / 2) continue;
+            p.param[0] = a, p.initial = bent_along_one_axis, p.wall = problem_held, p.side[s] = DIRICHLET;
+            assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
+            assert_int_equal(sample_meets_wall(&p, &l, (enum side)s), 0);
+            p.hi[a] = p.lo[a] + 0.2;
+            assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
+            assert_int_equal(sample_meets_wall(&p, &l, (enum side)s), 1);
+        }
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -254,6 +278,7 @@ int main(void) {
         cmocka_unit_test(axes_are_equivalent),
         cmocka_unit_test(body_uniform_along_z_is_a_plane),
         cmocka_unit_test(samples_of_products_are_products),
+        cmocka_unit_test(walls_are_met_on_all_lines),
     };
     return cmocka_run_group_tests_name("box_runs", tests, NULL, NULL);
 }
