@@ -132,8 +132,10 @@ size_t assembly_list_join(struct assembly_list part[ASSEMBLY_BLOCKS], size_t n, 
     for (int b = 0; b < ASSEMBLY_BLOCKS; b++) total += part[b].n;
     *point = xcalloc(total, sizeof **point);
     *value = xcalloc(total, sizeof **value);
-    for (size_t b = 0, at = 0; b < ASSEMBLY_BLOCKS; at += part[b++].n) {
+    size_t at = total;
+    for (int b = ASSEMBLY_BLOCKS - 1; b >= 0; b--) { /* last first: the end of the heap returns to the system */
         if (part[b].n == 0) continue;
+        at -= part[b].n;
         memcpy(*point + at, part[b].point, part[b].n * sizeof **point);
         memcpy(*value + at, part[b].value, part[b].n * sizeof **value);
         list_free(&part[b]);
