@@ -12,7 +12,8 @@
  *
  * A neighbour in each of the eight sectors of 45 degrees about a particle is sufficient (his theorem 4.2), not
  * necessary.  The default h/dx is therefore 1.75, with 36 neighbours; no cloud of jitter up to 0.5 was seen without
- * a solution. k_x != k_y requires neighbours near the axis of the larger one: h grows with sqrt(k ratio).
+ * a solution.  In space it is 1.5, with 112 neighbours: of 32000 particles of jitter 0.5 none lacks a solution
+ * at 1.3, one at 1.1. k_x != k_y requires neighbours near the axis of the larger one: h grows with sqrt(k ratio).
  *
  * The programme is solved by the simplex method on five or nine rows with the inverse of the basis (Dantzig's rule;
  * after a while Bland's, which cannot cycle), in units of h. */
@@ -36,7 +37,7 @@ static double default_h(const struct problem *p) {
     double ratio = 1;
     for (int a = 0; a < p->dim; a++)
         for (int b = 0; b < p->dim; b++) ratio = fmax(ratio, k[a] / k[b]);
-    return p->dim == 1 ? 1.1 : 1.75 * sqrt(ratio);
+    return p->dim == 1 ? 1.1 : (p->dim == 2 ? 1.75 : 1.5) * sqrt(ratio);
 }
 
 static void fill(const struct neighbourhood *nb, enum kernel_name kernel, struct programme *lp) {
@@ -61,6 +62,13 @@ static double cost_of(const struct programme *lp, size_t j, int phase) {
     return j >= lp->n ? phase == 1 : phase == 1 ? 0 : lp->cost[j];
 }
 
+/* The reduced cost of such a column is zero up to the rounding of the inverse, which may exceed the tolerance. */
+static int is_basic(const struct programme *lp, size_t j) {
+    for (int k = 0; k < lp->rows; k++)
+        if (lp->basis[k] == j) return 1;
+    return 0;
+}
+
 /* The entering column: the one with the smallest reduced cost, or the first with a negative one; lp->n if there is
  * none. */
 static size_t entering(const struct programme *lp, int phase, int first) {
@@ -72,7 +80,7 @@ static size_t entering(const struct programme *lp, int phase, int first) {
         double reduced = cost_of(lp, j, phase), size = reduced;
         if (!isfinite(lp->cost[j])) continue;
         for (int l = 0; l < lp->rows; l++) reduced -= y[l] * lp->column[j][l], size += fabs(y[l] * lp->column[j][l]);
-        if (!(reduced < least * size)) continue;
+        if (!(reduced < least * size) || is_basic(lp, j)) continue;
         best = j, least = reduced / size;
         if (first) break;
     }
