@@ -194,12 +194,13 @@ static int fit_at(const struct looked_at *at, struct fault fault, double size, s
  * wall of almost no resistance f = -(1 + s), for which the fixed-point iteration s = f would not converge. */
 static int fit_bent(const struct looked_at *at, struct fault fault, struct fit fit[2]) {
     enum { ROUNDS = 6 };
-    static const double LARGE = 0.05, LEAST = -0.9, MOST = 3, SAME = 0.01, LIKELY = 0.5, STEEP = 0.9;
+    static const double LARGE = 0.05, MOST = 3, SAME = 0.01, LIKELY = 0.5, STEEP = 0.9;
+    const double least = fault.kind == FAULT_COEFFICIENT ? -1 : -0.9; /* b may be 0, k and rho c may not */
     int failed = fit_at(at, fault, 0, fit);
     double before[2] = {0, fit[0].size}, s = before[1];
     for (int round = 0; round < ROUNDS && !failed && fault_bends(fault.kind); round++) {
         if (!(fit[0].share > LIKELY && fit[0].part > FIT_MOST && fabs(s) > LARGE)) break;
-        s = fmin(fmax(s, LEAST), MOST);
+        s = fmin(fmax(s, least), MOST);
         failed = fit_at(at, fault, s, fit);
         double found = fit[0].size, slope = (found - before[1]) / (s - before[0]);
         if (failed || fabs(found - s) <= SAME * fabs(found)) break;

@@ -257,7 +257,7 @@ int fault_can_be(const struct problem *p, enum fault_kind kind, double size) {
     static const double SIGN = 0.1; /* largest distance from -2 that counts as a wrong sign */
     if (kind == FAULT_WALL || kind == FAULT_SOURCE) return size > -1.05 || fabs(size + 2) < SIGN;
     if (kind == FAULT_CLOCK) return size > -p->t_end;
-    if (kind == FAULT_AMPLITUDE) return size > -1.05;
+    if (kind == FAULT_AMPLITUDE || kind == FAULT_COEFFICIENT) return size > -1.05;
     return !fault_bends(kind) || size > -1;
 }
 

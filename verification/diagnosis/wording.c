@@ -88,6 +88,9 @@ static const char *text_of(const struct diagnosis *d) {
         return is_wall ? "as if what {name} were lost" : "as if the source were lost";
     if ((is_wall || is_source) && fabs(d->size + 200) < 10)
         return is_wall ? "as if what {name} had the wrong sign" : "as if the source had the wrong sign";
+    if (d->fault.kind == FAULT_COEFFICIENT && d->size < -95) return "as if cooled sides were insulated";
+    if (d->fault.kind == FAULT_COEFFICIENT && d->size > ANOTHER)
+        return "as if the heat transfer coefficient{name} were several times too large, or the sides held";
     if (is_wall && d->size > ANOTHER) return "as if what {name} were another value";
     return wordings[d->fault.kind].text;
 }

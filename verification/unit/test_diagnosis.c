@@ -115,6 +115,8 @@ static void faults_are_named_with_their_size(void **state) {
         {CHANGING, 0.0125, {FAULT_CLOCK, 0}, 0.5, 0.5, "late"},
         {"rod-cooling", 0.005, {FAULT_COEFFICIENT, 1}, 0.02, 2, "coefficient of side x_hi were"},
         {"rod-cooling", 0.005, {FAULT_COEFFICIENT, 1}, -0.5, -50, "coefficient of side x_hi were"},
+        {"rod-cooling", 0.005, {FAULT_COEFFICIENT, 1}, -1, -100, "cooled sides were insulated"},
+        {"plate-cooling", 0.025, {FAULT_COEFFICIENT, FAULT_ALL_SIDES}, -1, -100, "cooled sides were insulated"},
         {"rod-cooling", 0.005, {FAULT_COEFFICIENT, 1}, 2, 200, "coefficient of side x_hi were"},
         {"square-step", 0.05, {FAULT_AXIS, 1}, 0.6, 60, "k_y were"},
         {"rod-contact", 0.01, {FAULT_RHO_C, 1}, 0.5, 50, "rho c of the second material were"},
