@@ -54,7 +54,7 @@ contains
             case ('t_end'); read (text, *) t_end
             case ('source'); changing = text == 'changing'
             case ('oracle'); oracle = text
-            case ('shape'); stop 77 ! boxes alone
+            case ('shape', 'walls'); stop 77 ! boxes with steady walls alone
             end select
             if (text == 'periodic') stop 77 ! with walls alone
         end do

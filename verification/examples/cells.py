@@ -76,6 +76,7 @@ wall = [[values[4 + 4 * d:7 + 4 * d] for d in range(dim)] for values in scene]  
 # The faces of each cell: half cells in series, or a half cell and what the wall resists.
 flux = [0.0] * len(points)
 faces = [[] for point in points]  # of each cell, pairs (point beyond, conductance)
+beside = []  # the cell at each point of the frame that has one: (point, axis, cell)
 fastest = 0
 for c in cells:
     for d in range(dim):
@@ -84,26 +85,47 @@ for c in cells:
                 e += n[d] * stride[d] if e < c else -n[d] * stride[d]
             kind, value, b = wall[e][d]
             resistance = width[d] / (2 * k[c][d])
+            if on_side(e, d):
+                beside.append((e, d, c))
             if on_side(e, d) and kind == FLUX:
-                flux[c] += value / width[d]
                 continue
             if on_side(e, d):
-                T[e] = value
                 resistance += 1 / b if kind == COOLED else 0
             else:
                 resistance += width[d] / (2 * k[e][d])
             faces[c].append((e, 1 / (resistance * width[d])))
     fastest = max(fastest, sum(k[c][d] / (width[d] ** 2 * rho_c[c]) for d in range(dim)))
 
-# A source that changes in time is asked for at the start of every step.
+
+
+def set_walls(values):
+    """Sets what the sides hold from the value at each point of `beside`."""
+    for e, d, c in beside:
+        flux[c] = 0.0
+    for (e, d, c), value in zip(beside, values):
+        if wall[e][d][0] == FLUX:
+            flux[c] += value / width[d]
+        else:
+            T[e] = value
+
+
+# Data that change in time are asked for at the start of every step.
 steps = math.ceil(t_end * fastest / 0.25)
 dt = t_end / steps
-changing = case["source"] == "changing"
+times = f"0:{t_end}:{steps + 1}"
+changing, moving = case["source"] == "changing", "walls" in case
 if changing:
-    sources = [values[-1] for values in reference.ask(f"0:{t_end}:{steps + 1}", "source")]
+    sources = [values[-1] for values in reference.ask(times, "source")]
+set_walls([wall[e][d][1] for e, d, c in beside])
+if moving:
+    frame = Reference(case["oracle"], sys.argv[2] + ".frame", [points[e] for e, d, c in beside], width)
+    walls = frame.ask(times, "wall_x" + (",wall_y" if dim == 2 else ""))
 for step in range(steps):
     if changing:
         source = sources[step * len(points):(step + 1) * len(points)]
+    if moving:
+        now = walls[step * len(beside):(step + 1) * len(beside)]
+        set_walls([values[2 + 3 * d] for values, (e, d, c) in zip(now, beside)])
     rate = [source[c] + flux[c] + sum([g * (T[e] - T[c]) for e, g in faces[c]]) for c in cells]
     for c, r in zip(cells, rate):
         T[c] += dt * r / rho_c[c]

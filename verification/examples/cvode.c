@@ -19,7 +19,7 @@ enum { NOT_APPLICABLE = 77 };
 
 struct point {
     double x[2];
-    double source, rho_c;
+    double source, rho_c, flux; /* flux: W m^-3, from walls of given flux */
     struct {
         double k;              /* conductivity */
         double kind, value, b; /* wall: b is the Robin coefficient */
@@ -28,6 +28,7 @@ struct point {
 };
 
 static int dim = 1, n[2] = {1, 1};
+static int walls_change;
 static double lo[2], hi[2] = {0, 1}, width[2], t_end;
 static char oracle[2048];
 
@@ -35,6 +36,7 @@ static char oracle[2048];
  * (see cells.c). */
 static struct point *point;
 static int points, stride[2] = {1, 0};
+static double *held; /* the temperature at each point of the frame */
 
 static void stop(const char *reason) {
     fprintf(stderr, "cvode: %s\n", reason);
@@ -47,7 +49,7 @@ static void *need(void *pointer, const char *reason) {
 }
 
 static void read_case(const char *path) {
-    char line[4096], source[16] = "";
+    char line[4096], source[16] = "", walls[16] = "";
     FILE *f = need(fopen(path, "r"), "the case cannot be opened");
     while (fgets(line, sizeof line, f)) {
         sscanf(line, "dim = %d", &dim);
@@ -56,14 +58,16 @@ static void read_case(const char *path) {
         sscanf(line, "hi = %lf, %lf", &hi[0], &hi[1]);
         sscanf(line, "t_end = %lf", &t_end);
         sscanf(line, "source = %15s", source);
+        sscanf(line, "walls = %15s", walls);
         sscanf(line, "oracle = %2047[^\n]", oracle);
         /* This code has rods and rectangles with walls: neither round bodies nor periodic ones. */
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
         if (strstr(line, "= periodic")) exit(NOT_APPLICABLE);
     }
     fclose(f);
-    /* The integrator takes times of its own. */
+    /* The integrator takes times of its own: walls come from a table, sources from none. */
     if (strcmp(source, "changing") == 0) exit(NOT_APPLICABLE);
+    walls_change = strcmp(walls, "changing") == 0;
     for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
 
@@ -80,21 +84,27 @@ static int is_cell(int c) {
     return !on_wall(c, 0) && !on_wall(c, 1);
 }
 
+/* frame: 1 for those on the sides alone. */
+static void write_points(const char *path, int frame) {
+    FILE *f = need(fopen(path, "w"), "the points cannot be written");
+    fprintf(f, "x,y,dx,dy\n");
+    for (int c = 0; c < points; c++)
+        if (!frame || !is_cell(c))
+            fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", point[c].x[0], point[c].x[1], width[0], width[1]);
+    if (fclose(f)) stop("the points cannot be written");
+}
+
 static void make_points(const char *path) {
     stride[1] = n[0] + 2;
     points = stride[1] * (dim == 2 ? n[1] + 2 : 1);
     point = need(calloc((size_t)points, sizeof *point), "out of memory");
-    FILE *f = need(fopen(path, "w"), "the points cannot be written");
-    fprintf(f, "x,y,dx,dy\n");
-    for (int c = 0; c < points; c++) {
-        double *x = point[c].x;
+    held = need(calloc((size_t)points, sizeof *held), "out of memory");
+    for (int c = 0; c < points; c++)
         for (int d = 0; d < dim; d++) {
             double middle = lo[d] + (place(c, d) - 0.5) * width[d];
-            x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame is on the sides */
+            point[c].x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame is on the sides */
         }
-        fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", x[0], x[1], width[0], width[1]);
-    }
-    if (fclose(f)) stop("the points cannot be written");
+    write_points(path, 0);
 }
 
 static double next_number(FILE *answers) {
@@ -103,14 +113,19 @@ static double next_number(FILE *answers) {
     return value;
 }
 
-static void ask_scene(const char *path, double *T) {
+static FILE *ask(const char *path, const char *times, const char *what) {
     char command[8192], header[4096];
     const char *program = getenv("HEATLADDER");
-    snprintf(command, sizeof command, "%s reference %s --points '%s' --what "
-             "initial_heat,source,rho_c,k_x,wall_x%s",
-             program ? program : "heatladder", oracle, path, dim == 2 ? ",k_y,wall_y" : "");
+    snprintf(command, sizeof command, "%s reference %s --points '%s' --time %s --what %s",
+             program ? program : "heatladder", oracle, path, times, what);
     FILE *answers = need(popen(command, "r"), "heatladder cannot be started");
     need(fgets(header, sizeof header, answers), "no answer from heatladder reference");
+    return answers;
+}
+
+static void ask_scene(const char *path, double *T) {
+    FILE *answers = ask(path, "0", dim == 2 ? "initial_heat,source,rho_c,k_x,wall_x,k_y,wall_y"
+                                            : "initial_heat,source,rho_c,k_x,wall_x");
     for (int c = 0; c < points; c++) {
         struct point *p = &point[c];
         for (int d = 0; d < dim; d++) next_number(answers); /* the point */
@@ -127,6 +142,41 @@ static void ask_scene(const char *path, double *T) {
     if (pclose(answers)) stop("heatladder reference failed");
 }
 
+/* Walls that change in time, at equal steps from 0 to the end: [time][point][axis]. */
+enum { TIMES = 129 };
+static double *table;
+
+static void ask_walls(const char *path) {
+    char times[64];
+    table = need(calloc((size_t)TIMES * (size_t)points * 2, sizeof *table), "out of memory");
+    write_points(path, 1);
+    snprintf(times, sizeof times, "0:%.17g:%d", t_end, TIMES);
+    FILE *answers = ask(path, times, dim == 2 ? "wall_x,wall_y" : "wall_x");
+    for (int c = 0; c < TIMES * points; c++) {
+        if (is_cell(c % points)) continue;
+        for (int d = 0; d < 1 + dim; d++) next_number(answers); /* the point and the time */
+        for (int d = 0; d < dim; d++) {
+            next_number(answers);
+            table[2 * c + d] = next_number(answers);
+            next_number(answers);
+        }
+    }
+    if (pclose(answers)) stop("heatladder reference failed");
+}
+
+/* The cubic through four of the times around `now`. */
+static double wall_at(int c, int d, double now) {
+    double place = now / t_end * (TIMES - 1), sum = 0;
+    int first = (int)fmin(fmax(floor(place) - 1, 0), TIMES - 4);
+    for (int i = first; i < first + 4; i++) {
+        double weight = 1;
+        for (int j = first; j < first + 4; j++)
+            if (j != i) weight *= (place - j) / (i - j);
+        sum += weight * table[2 * (i * points + c) + d];
+    }
+    return sum;
+}
+
 /* Resistance between point c and the face beside it, m^2 K W^-1: half a cell, or the wall. */
 static double resistance(int c, int d) {
     const struct point *p = &point[c];
@@ -136,34 +186,42 @@ static double resistance(int c, int d) {
     return INFINITY; /* a given flux, whatever the temperatures */
 }
 
-static void apply_wall(int wall, int cell, int d, double *T) {
-    T[wall] = point[wall].axis[d].value;
-    if (point[wall].axis[d].kind == FLUX) point[cell].source += T[wall] / width[d];
-}
-
-static void make_faces(double *T) {
+static void make_faces(void) {
     for (int c = 0; c < points; c++)
         for (int d = 0; d < dim; d++) {
             int next = c + stride[d];
             if (on_wall(c, !d) || place(c, d) > n[d]) continue; /* no face between these two */
             point[c].conductance[d] = 1 / ((resistance(c, d) + resistance(next, d)) * width[d]);
-            if (on_wall(c, d)) apply_wall(c, next, d, T);
-            if (on_wall(next, d)) apply_wall(next, c, d, T);
+        }
+}
+
+/* Sets the walls at the time `now`: temperatures in `held`, and the heat of given fluxes. */
+static void set_walls(double now) {
+    for (int c = 0; c < points; c++) point[c].flux = 0;
+    for (int c = 0; c < points; c++)
+        for (int d = 0; d < dim; d++) {
+            int inside = place(c, d) < 1 ? c + stride[d] : c - stride[d];
+            if (!on_wall(c, d) || on_wall(c, !d)) continue;
+            held[c] = walls_change ? wall_at(c, d, now) : point[c].axis[d].value;
+            if (point[c].axis[d].kind == FLUX) point[inside].flux += held[c] / width[d];
         }
 }
 
 static int rhs(double now, N_Vector state, N_Vector derivative, void *user) {
     const double *T = N_VGetArrayPointer(state);
     double *dT_dt = N_VGetArrayPointer(derivative);
-    (void)now, (void)user;
+    (void)user;
+    if (walls_change) set_walls(now);
     for (int c = 0; c < points; c++) {
         dT_dt[c] = 0;
         if (!is_cell(c)) continue;
-        double rate = point[c].source;
+        double rate = point[c].source + point[c].flux;
         for (int d = 0; d < dim; d++) {
             int previous = c - stride[d], next = c + stride[d];
-            rate += point[c].conductance[d] * (T[next] - T[c]);
-            rate += point[previous].conductance[d] * (T[previous] - T[c]);
+            double before = on_wall(previous, d) ? held[previous] : T[previous];
+            double after = on_wall(next, d) ? held[next] : T[next];
+            rate += point[c].conductance[d] * (after - T[c]);
+            rate += point[previous].conductance[d] * (before - T[c]);
         }
         dT_dt[c] = rate / point[c].rho_c;
     }
@@ -195,7 +253,7 @@ static void write_answer(const char *path, const double *T) {
 }
 
 int main(int argc, char **argv) {
-    char path[4096];
+    char path[4096], frame[4096];
     SUNContext sun;
     if (argc != 3) stop("two arguments are needed: CASE OUT");
     snprintf(path, sizeof path, "%s.points", argv[2]);
@@ -205,7 +263,10 @@ int main(int argc, char **argv) {
     N_Vector state = need(N_VNew_Serial(points, sun), "N_VNew_Serial failed");
     double *T = N_VGetArrayPointer(state);
     ask_scene(path, T);
-    make_faces(T);
+    snprintf(frame, sizeof frame, "%s.frame", argv[2]);
+    if (walls_change) ask_walls(frame);
+    make_faces();
+    set_walls(0);
     integrate(state, sun);
     write_answer(argv[2], T);
     return 0;
