@@ -78,10 +78,24 @@ static int dimension_of(const struct scene *s) {
     return s->setup(&p, &ignored) ? 0 : p.dim;
 }
 
+/* Appends the row's further options; a side is the one of the scene there and that of the case in the command. */
+static void add_rungs(const char *rungs, const struct mapping *m, char *command) {
+    static const char *const sides[] = {"x_lo", "x_hi", "y_lo", "y_hi", "z_lo", "z_hi"}, flux[] = "--quantity flux_";
+    const char *at = strstr(rungs, flux);
+    for (int s = 0; at && s < 2 * m->axes; s++) {
+        const char *name = at + strlen(flux), *of = sides[mapping_side(m, (enum side)s)];
+        if (strncmp(name, of, strlen(of)) != 0) continue;
+        words_add(command, BATTERY_COMMAND, " %.*s%s%s", (int)(name - rungs), rungs, sides[s], name + strlen(of));
+        return;
+    }
+    words_add(command, BATTERY_COMMAND, " %s", rungs);
+}
+
 int battery_command(const struct battery_row *row, unsigned long seed, char command[BATTERY_COMMAND],
                     struct failure *why) {
     const char *scene = strchr(row->run, ' ') + 1;
     char map[MAPPING_WORDS];
+    struct mapping m = {0};
     double offset = 0;
     snprintf(command, BATTERY_COMMAND, "%s mine", row->run);
     for (const char *at = row->sets; *at; at += strcspn(at, " "), at += strspn(at, " "))
@@ -89,8 +103,7 @@ int battery_command(const struct battery_row *row, unsigned long seed, char comm
             words_add(command, BATTERY_COMMAND, " --set %.*s", (int)strcspn(at, " "), at);
     if (seed) {
         gsl_rng *r = generator(seed, scene, row->ranges);
-        struct mapping m =
-            draw_map(seed, scene, dimension_of(scene_find(scene)), strstr(row->ranges, "cross") != NULL);
+        m = draw_map(seed, scene, dimension_of(scene_find(scene)), strstr(row->ranges, "cross") != NULL);
         int status = draw_ranges(row->ranges, r, command, &offset, why);
         double scale = exp2(between(r, -1, 1));
         gsl_rng_free(r);
@@ -99,6 +112,6 @@ int battery_command(const struct battery_row *row, unsigned long seed, char comm
         words_add(command, BATTERY_COMMAND, " --map %s --scale %.3g", map, scale);
         if (offset != 0) words_add(command, BATTERY_COMMAND, " --offset %.3g", scale * offset);
     }
-    words_add(command, BATTERY_COMMAND, " %s", row->rungs);
+    add_rungs(row->rungs, &m, command);
     return STATUS_OK;
 }

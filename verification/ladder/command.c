@@ -218,6 +218,7 @@ static int apply(struct command *c, struct failure *why) {
     if (take_results(c, why)) return why->status;
     if (e->scene && e->scene->setup(&e->problem, why)) return why->status;
     if (e->derived && quantity_read(e->derived, &e->problem, &e->quantity, why)) return why->status;
+    if (e->program.map.axes && !e->problem.shape) e->quantity.side = mapping_side(&e->program.map, e->quantity.side);
     e->options.dx = c->rungs.dx.value[0];
     e->options.dt = c->rungs.dt.count ? c->rungs.dt.value[0] : 0;
     e->options.fourier = c->rungs.fourier.count ? c->rungs.fourier.value[0] : 0;

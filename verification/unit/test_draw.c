@@ -141,6 +141,23 @@ static void every_draw_gives_fluxes_across_both_axes(void **state) {
         }
 }
 
+/* A flux is that through a side of the case: whole/flux, the cooled side of the rod, in either image. */
+static void fluxes_are_named_by_sides_of_the_case(void **state) {
+    (void)state;
+    int seen[2] = {0, 0};
+    for (const struct battery_row *row = battery_table; row->orders; row++)
+        for (unsigned long seed = 1; seed <= 10 && strcmp(row->id, "whole/flux") == 0; seed++) {
+            struct command r;
+            parse(row, seed, &r);
+            int mirrored = r.experiment.program.map.against[0];
+            assert_string_equal(r.experiment.derived, mirrored ? "flux_x_lo" : "flux_x_hi");
+            assert_int_equal(r.experiment.quantity.side, X_HI);
+            seen[mirrored]++;
+            command_free(&r);
+        }
+    assert_true(seen[0] && seen[1]);
+}
+
 /* A contact in the plane is across x in one of two rows and across y in the other. */
 static void both_axes_have_a_contact(void **state) {
     (void)state;
@@ -177,6 +194,7 @@ int main(void) {
         cmocka_unit_test(drawn_value_replaces_the_default),
         cmocka_unit_test(invalid_ranges_are_refused),
         cmocka_unit_test(every_draw_gives_fluxes_across_both_axes),
+        cmocka_unit_test(fluxes_are_named_by_sides_of_the_case),
         cmocka_unit_test(both_axes_have_a_contact),
     };
     gsl_set_error_handler_off();
