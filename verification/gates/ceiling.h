@@ -64,6 +64,12 @@ double ceiling_plain_wall(const struct experiment *e);
 /* 4th moments under jitter of j dx: 1 + 4 j^2 */
 double ceiling_jitter(const struct experiment *e);
 
+/* k that depends on T: the truncation error of operator and mean on a rod with smooth data; parts of the heat of the
+ * front's wave, in the cell behind the front, and ahead of its initial place. */
+double ceiling_kirchhoff(const struct experiment *e);
+double ceiling_tip(const struct experiment *e);
+double ceiling_ahead(const struct experiment *e);
+
 /* The exact solution compared with the exact solution for a parameter larger by `by`, or for a time shorter by the
  * fraction `part`. */
 double ceiling_changed(const struct experiment *e, const char *name, double by);

@@ -22,6 +22,7 @@ double ceiling_five_point(const struct experiment *e, int linf) {
     five.options.dx = fmax(o->aspect, 1) * o->dx;
     five.options.fourier = e->problem.source_rate ? 0.01 : o->fourier;
     five.options.sampling = o->sampling;
+    if (e->problem.k_law) five.options.mean = MEAN_KIRCHHOFF, five.options.fourier = 0.1;
     if (run_experiment(&five, &r, NULL)) return NAN;
     return linf ? r.error.linf : r.error.l1;
 }
