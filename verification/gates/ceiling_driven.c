@@ -219,7 +219,7 @@ static double time_error(const struct experiment *e, double dt, int order, doubl
                 m->r[t][j][i] = order == 1 ? -dt / 2 * in_time(m, x, at, 2) : -third * dt * dt * in_time(m, x, at, 3);
                 if (t == 0 && order > 1) m->e_now[j][i] = -more * in_time(m, x, at, 2);
             }
-        for (int s = 0; s < 2 && lead != 0; s++) /* of a rod */
+        for (int s = 0; s < 2 && lead != 0; s++)
             m->wall[t][s][0] = lead * p->wall_rate(p, (enum side)s, (double[2]){s ? p->hi[0] : p->lo[0], 0}, at);
     }
     diffuse(m);
