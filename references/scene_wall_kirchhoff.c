@@ -102,7 +102,7 @@ static int setup(struct problem *p, struct failure *why) {
     p->held[X_LO] = v[T1];
     p->held[X_HI] = v[T2];
     p->initial = initial;
-    p->source_at = source_at;
+    if (v[A] > 0) p->source_at = source_at;
     return STATUS_OK;
 }
 

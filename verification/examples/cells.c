@@ -41,6 +41,10 @@ static int dim = 1, n[2] = {1, 1}, source_changes, walls_change;
 static double lo[2], hi[2] = {0, 1}, width[2], t_end, dt_asked;
 static char oracle[2048];
 
+/* k that depends on T, if the case has a k_law: k_0 (1 + k_beta u) or k_0 u^k_n, u = T - k_ref */
+static char k_law[16];
+static double k_0, k_beta, k_ref, k_n;
+
 static struct point *point; /* cells and frame */
 static int points, stride;
 
@@ -67,6 +71,11 @@ static void read_case(const char *path) {
         sscanf(line, "dt = %lf", &dt_asked);
         sscanf(line, "source = %15s", source);
         sscanf(line, "walls = %15s", walls);
+        sscanf(line, "k_law = %15s", k_law);
+        sscanf(line, "k_0 = %lf", &k_0);
+        sscanf(line, "k_beta = %lf", &k_beta);
+        sscanf(line, "k_ref = %lf", &k_ref);
+        sscanf(line, "k_n = %lf", &k_n);
         sscanf(line, "oracle = %2047[^\n]", oracle);
         /* This code has rods and rectangles with walls: neither round bodies nor periodic ones. */
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
@@ -154,6 +163,18 @@ static void ask_scene(const char *path) {
     if (pclose(answers)) stop("heatladder reference failed");
 }
 
+static double k_at(double T) {
+    double u = T - k_ref;
+    if (strcmp(k_law, "linear") == 0) return k_0 * (1 + k_beta * u);
+    return u > 0 ? k_0 * pow(u, k_n) : 0;
+}
+
+/* Between the cell and a point at that distance, with the mean of k at both, m^2 K W^-1.  The mean
+ * of resistances would let no heat into a cell with k = 0. */
+static double resistance_of_mean(const struct point *p, double distance, double T) {
+    return distance / ((k_at(p->T) + k_at(T)) / 2);
+}
+
 /* The face of cell c towards point e.  Resistances add up: those of two half cells, or of a half
  * cell and the wall (none if it is held, 1/b if it is cooled).  Through a wall of given flux no
  * conductance is needed. */
@@ -166,7 +187,10 @@ static void make_face(int c, int face, int e) {
         p->flux += beyond->axis[d].value / width[d];
         return;
     }
-    if (!is_wall) resistance += width[d] / (2 * beyond->axis[d].k);
+    if (*k_law && is_wall)
+        resistance = resistance_of_mean(p, width[d] / 2, beyond->axis[d].kind == HELD ? beyond->T : p->T);
+    if (*k_law && !is_wall) resistance = resistance_of_mean(p, width[d], beyond->T);
+    if (!*k_law && !is_wall) resistance += width[d] / (2 * beyond->axis[d].k);
     if (is_wall && beyond->axis[d].kind == COOLED) resistance += 1 / beyond->axis[d].b;
     p->conductance[face] = 1 / (resistance * width[d]);
 }
@@ -241,6 +265,7 @@ static void run(const char *path, const char *frame, int steps) {
     for (int step = 0; step < steps; step++) {
         if (sources) read_sources(sources);
         if (walls) read_walls(walls);
+        if (*k_law) make_faces();
         step_by(t_end / steps);
     }
     if (sources) pclose(sources);

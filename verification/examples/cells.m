@@ -44,8 +44,8 @@ if numel(args) != 2
     error('two arguments are needed: CASE OUT');
 end
 field = read_case(args{1});
-if isfield(field, 'shape') || isfield(field, 'walls') || any(strcmp(struct2cell(field), 'periodic'))
-    exit(77); % boxes with steady walls alone
+if any(isfield(field, {'shape', 'walls', 'k_law'})) || any(strcmp(struct2cell(field), 'periodic'))
+    exit(77); % boxes with steady walls and k alone
 end
 dim = numbers(field.dim);
 lo = numbers(field.lo);

@@ -44,8 +44,8 @@ class Reference:
 
 
 case = read_case(sys.argv[1])
-if "shape" in case:
-    sys.exit(77)  # a round body, which cells do not fill
+if "shape" in case or "k_law" in case:
+    sys.exit(77)  # a round body, which cells do not fill; k(T)
 dim, t_end = int(case["dim"]), float(case["t_end"])
 lo, hi = numbers(case["lo"]), numbers(case["hi"])
 n = [int(word) for word in case["cells"].split(",")]

@@ -32,6 +32,10 @@ static int walls_change;
 static double lo[2], hi[2] = {0, 1}, width[2], t_end;
 static char oracle[2048];
 
+/* k that depends on T, if the case has a k_law: k_0 (1 + k_beta u) or k_0 u^k_n, u = T - k_ref */
+static char k_law[16];
+static double k_0, k_beta, k_ref, k_n;
+
 /* The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides
  * (see cells.c). */
 static struct point *point;
@@ -59,6 +63,11 @@ static void read_case(const char *path) {
         sscanf(line, "t_end = %lf", &t_end);
         sscanf(line, "source = %15s", source);
         sscanf(line, "walls = %15s", walls);
+        sscanf(line, "k_law = %15s", k_law);
+        sscanf(line, "k_0 = %lf", &k_0);
+        sscanf(line, "k_beta = %lf", &k_beta);
+        sscanf(line, "k_ref = %lf", &k_ref);
+        sscanf(line, "k_n = %lf", &k_n);
         sscanf(line, "oracle = %2047[^\n]", oracle);
         /* This code has rods and rectangles with walls: neither round bodies nor periodic ones. */
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
@@ -195,6 +204,26 @@ static void make_faces(void) {
         }
 }
 
+static double k_at(double T) {
+    double u = T - k_ref;
+    if (strcmp(k_law, "linear") == 0) return k_0 * (1 + k_beta * u);
+    return u > 0 ? k_0 * pow(u, k_n) : 0;
+}
+
+/* Conductances for the temperatures T, with the mean of k at both points of a face. */
+static void set_conductances(const double *T) {
+    for (int c = 0; c < points; c++)
+        for (int d = 0; d < dim; d++) {
+            int next = c + stride[d], wall = on_wall(c, d) ? c : on_wall(next, d) ? next : -1;
+            if (on_wall(c, !d) || place(c, d) > n[d]) continue;
+            int cell = wall == c ? next : c, held_wall = wall >= 0 && point[wall].axis[d].kind == HELD;
+            double other = wall < 0 ? T[next] : held_wall ? held[wall] : T[cell];
+            double k = (k_at(T[cell]) + k_at(other)) / 2, distance = wall < 0 ? width[d] : width[d] / 2;
+            double beyond = wall < 0 ? 0 : resistance(wall, d);
+            point[c].conductance[d] = 1 / ((distance / k + beyond) * width[d]);
+        }
+}
+
 /* Sets the walls at the time `now`: temperatures in `held`, and the heat of given fluxes. */
 static void set_walls(double now) {
     for (int c = 0; c < points; c++) point[c].flux = 0;
@@ -212,6 +241,7 @@ static int rhs(double now, N_Vector state, N_Vector derivative, void *user) {
     double *dT_dt = N_VGetArrayPointer(derivative);
     (void)user;
     if (walls_change) set_walls(now);
+    if (*k_law) set_conductances(T);
     for (int c = 0; c < points; c++) {
         dT_dt[c] = 0;
         if (!is_cell(c)) continue;

@@ -127,7 +127,7 @@ def main():
     if len(sys.argv) != 3:
         sys.exit("nodes.py CASE OUT")
     case = read_case(sys.argv[1])
-    if "shape" in case or "walls" in case or "periodic" in case.values():
+    if {"shape", "walls", "k_law"} & case.keys() or "periodic" in case.values():
         sys.exit(77)  # boxes with steady walls alone
     body = Body(case, sys.argv[2] + ".points")
     nodes, T, steps = solve(body)

@@ -26,6 +26,9 @@ const char case_file_help[] =
     "  materials, interface     1; or 2, the second at x >= interface, m\n"
     "  interface_axis           y or z if the second is at y or z >= interface; not written for x\n"
     "  k_x, k_y, k_z, rho_c     W/(m K), J/(m^3 K): of each material\n"
+    "  k_law                    only if k depends on T, with u = T - k_ref: linear, k = k_0 (1 + k_beta u); power,\n"
+    "                           k = k_0 u^k_n, 0 for u <= 0.  k_x is then the largest k of the solution\n"
+    "  k_0, k_beta, k_ref, k_n  W/(m K) (power: times K^-k_n), 1/K, K, 1: of that law\n"
     "  side_x_lo, side_x_hi, side_y_lo, side_y_hi, side_z_lo, side_z_hi\n"
     "                           dirichlet, K; neumann, W/m^2 into the body; robin, W/(m^2 K), K around: one value,\n"
     "                           or nine evenly along the side (of a box: 3 x 3 from edge to edge, x before y before\n"
@@ -79,6 +82,10 @@ static void write_materials(const struct image *image, FILE *out) {
     }
     for (int m = 0; m < p->materials; m++) value[m] = p->material[m].rho_c;
     write_list(out, "rho_c", value, p->materials);
+    if (p->k_law == K_LINEAR)
+        fprintf(out, "k_law = linear\nk_0 = %.17g\nk_beta = %.17g\nk_ref = %.17g\n", p->k_0, p->k_beta, p->k_ref);
+    if (p->k_law == K_POWER)
+        fprintf(out, "k_law = power\nk_0 = %.17g\nk_n = %.17g\nk_ref = %.17g\n", p->k_0, p->k_n, p->k_ref);
 }
 
 /* Position `place` on a side in steps of 1/each of its extents, its first axis fastest; or around a round wall. */

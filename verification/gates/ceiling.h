@@ -79,6 +79,7 @@ double ceiling_late(const struct experiment *e, double part);
  * for a jump at its place in the scene. */
 double ceiling_five_point(const struct experiment *e, int linf);
 double ceiling_five_point_on_faces(const struct experiment *e);
+double ceiling_harmonic_mean(const struct experiment *e); /* the same with harmonic means, for k that depends on T */
 
 /* ---- Bounds for codes of any kind ---- */
 

@@ -27,6 +27,13 @@ double ceiling_five_point(const struct experiment *e, int linf) {
     return linf ? r.error.linf : r.error.l1;
 }
 
+double ceiling_harmonic_mean(const struct experiment *e) {
+    struct experiment five = {.scene = e->scene, .method = method_find("ftcs"), .problem = e->problem};
+    struct result r;
+    five.options = (struct options){.dx = e->options.dx, .fourier = 0.1, .mean = MEAN_HARMONIC};
+    return run_experiment(&five, &r, NULL) ? NAN : r.error.l1;
+}
+
 double ceiling_five_point_on_faces(const struct experiment *e) {
     struct experiment faces = *e;
     struct failure ignored;
