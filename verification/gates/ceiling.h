@@ -15,8 +15,9 @@
 enum { CEILING_REACH = 4 };
 struct ceiling_symbol {
     double fourth[3], sixth[4];
-    double row;                     /* sum |w| of a row */
-    double link[CEILING_REACH + 1]; /* w of a neighbour n dx away */
+    double by_axes[DIM_MAX][DIM_MAX]; /* sum w x_a^4/24, or sum w x_a^2 x_b^2/4 */
+    double row;                       /* sum |w| of a row */
+    double link[CEILING_REACH + 1];   /* w of a neighbour n dx away */
     double blind;    /* first derivatives applied twice: diffusivity of the envelope of (-1)^i over kappa; else 0 */
     double ghost[2]; /* over pairs of a row i + 1/2 and a ghost k + 1/2 from the wall: sum w (i + 1/2) (k + 1/2)^4
                         across x, sum w (k + 1/2)^5 across y over the ratio */
@@ -24,7 +25,7 @@ struct ceiling_symbol {
 };
 struct ceiling_symbol ceiling_symbol(const struct experiment *e);
 
-/* sum fourth[b] of the method divided by that of the five-point difference, in the direction of the largest ratio */
+/* sum fourth[b] of the method divided by that of the central difference, in the direction of the largest ratio */
 double ceiling_worst(const struct experiment *e);
 
 /* ---- Errors in space ---- */

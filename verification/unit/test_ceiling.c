@@ -50,6 +50,38 @@ static void moments_equal_those_of_the_operators(void **state) {
         }
 }
 
+/* The same in space, with different diffusivities for the least squares. */
+static void moments_in_space_equal_those_of_the_operators(void **state) {
+    (void)state;
+    static const char *const method[] = {"so_ssph", "fo_ssph", "brookshaw", "fatehi_manzari"};
+    for (int k = 0; k < 4; k++) {
+        char line[200];
+        struct failure why;
+        double *w, sum[3][3] = {{0}};
+        int reach[DIM_MAX];
+        snprintf(line, sizeof line,
+                 "run cube-step %s --dx 0.1 --h 1.13 --set kappa_x=1 --set kappa_y=%g --set kappa_z=%g", method[k],
+                 k < 2 ? 0.7 : 1, k < 2 ? 1.3 : 1);
+        const struct experiment *e = of(line);
+        const double kappa[DIM_MAX] = {1, k < 2 ? 0.7 : 1, k < 2 ? 1.3 : 1};
+        if (operator_stencil(&e->problem, &e->options, e->method->scheme, 1, kappa, reach, &w, &why))
+            fail_msg("%s: %s", line, why.text);
+        for (int z = 0; z <= reach[2]; z++)
+            for (int y = 0; y <= reach[1]; y++)
+                for (int x = 0; x <= reach[0]; x++) {
+                    const double at[DIM_MAX] = {x, y, z};
+                    double weight = w[operator_offset(reach, x, y, z)] * operator_images(x, y, z);
+                    for (int a = 0; a < DIM_MAX; a++)
+                        for (int b = 0; b < DIM_MAX; b++)
+                            sum[a][b] += weight * at[a] * at[a] * at[b] * at[b] / (a == b ? 24 : 4);
+                }
+        struct ceiling_symbol symbol = ceiling_symbol(e);
+        for (int a = 0; a < DIM_MAX; a++)
+            for (int b = 0; b < DIM_MAX; b++) assert_near(symbol.by_axes[a][b], sum[a][b], 1e-12);
+        free(w);
+    }
+}
+
 static void moments_of_finite_differences(void **state) {
     (void)state;
     assert_near(ceiling_symbol(of("run square-step ftcs --dx 0.1")).fourth[0], 1.0 / 12, 1e-15);
@@ -206,6 +238,7 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(moments_equal_those_of_the_operators),
+        cmocka_unit_test(moments_in_space_equal_those_of_the_operators),
         cmocka_unit_test(moments_of_finite_differences),
         cmocka_unit_test(isotropic_ratio_is_found),
         cmocka_unit_test(decay_error_of_one_mode_on_a_lattice),

@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Weights of the methods on a lattice of spacing 1, implemented independently of the solver, from the papers: least
+ * squares with the weights W (so_ssph), pairs -W'/r (brookshaw and its corrected variants), W'' + (d - 1) W'/r (cspm,
+ * kernel_second), first derivatives x W or x W'/r applied twice (fo_ssph, flux_divergence, conjugate), and finite
+ * differences.  On a lattice, corrections that divide by a particle's own moments only make radial weights exact for
+ * x^2. */
+#include "verification/gates/ceiling_weights.h"
+
+#include "solver/particles/particles.h"
+#include "solver/space/kernel.h"
+
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+#include <string.h>
+
+enum { REACH = CEILING_WEIGHTS_REACH, WIDE = CEILING_WEIGHTS_WIDE, NEAR = REACH / 2, MONOMIALS = 9 };
+
+/* Loops over the offsets within r along each axis that the dimension has. */
+#define OFFSETS(dim, r, i, j, k)                                                                                     \
+    for (int k = (dim) > 2 ? -(r) : 0; k <= ((dim) > 2 ? (r) : 0); k++)                                              \
+        for (int j = (dim) > 1 ? -(r) : 0; j <= ((dim) > 1 ? (r) : 0); j++)                                          \
+            for (int i = -(r); i <= (r); i++)
+#define AT(s, i, j, k) (s)->w[REACH + (k)][REACH + (j)][REACH + (i)]
+
+static double power(double x, int n) {
+    double product = 1;
+    while (n-- > 0) product *= x;
+    return product;
+}
+
+double ceiling_weights_moment(const struct ceiling_weights *s, int a, int b, int c) {
+    double sum = 0;
+    OFFSETS(s->dim, s->reach, i, j, k) sum += AT(s, i, j, k) * power(i, a) * power(j, b) * power(k, c);
+    return sum;
+}
+
+static enum ceiling_family family_of(const char *method) {
+    static const struct {
+        const char *method;
+        enum ceiling_family family;
+    } row[] = {{"so_ssph", LEAST_SQUARES},
+               {"contact_ssph", LEAST_SQUARES},
+               {"cspm", CURVATURE},
+               {"kernel_second", CURVATURE},
+               {"fo_ssph", TWICE_VALUE},
+               {"flux_divergence", TWICE_SLOPE},
+               {"conjugate", TWICE_SLOPE},
+               {"ftcs", DIFFERENCE},
+               {"voronoi_flux", DIFFERENCE},
+               {"positive", DIFFERENCE},
+               {"ftcs_flux", DIFFERENCE_TWICE}};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++)
+        if (strcmp(row[k].method, method) == 0) return row[k].family;
+    return PAIRS;
+}
+
+double ceiling_weights_radial(const struct ceiling_lattice_case *c, double r) {
+    double s = r / c->h;
+    if (r == 0 || s >= KERNEL_SUPPORT) return 0;
+    double slope = kernel_slope(c->kernel, c->dim, s);
+    switch (c->family) {
+    case PAIRS:
+        return -slope * r / (r * r + c->eta * c->eta);
+    case CURVATURE:
+        return kernel_curvature(c->kernel, c->dim, s) + (c->dim - 1) * slope / s;
+    case TWICE_SLOPE:
+        return -slope / r;
+    default:
+        return kernel_value(c->kernel, c->dim, s);
+    }
+}
+
+/* sum_a ratio_a d2/dx_a2 of the best-fitting polynomial of degree `order`; odd monomials drop out by symmetry. */
+static void least_squares(const struct ceiling_lattice_case *c, struct ceiling_weights *s) {
+    static const int powers[MONOMIALS][DIM_MAX] = {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {4, 0, 0}, {0, 4, 0},
+                                                   {0, 0, 4}, {2, 2, 0}, {2, 0, 2}, {0, 2, 2}};
+    const int *use[MONOMIALS];
+    int n = 0;
+    struct ceiling_weights W = *s;
+    for (int m = 0; m < MONOMIALS; m++) {
+        const int *p = powers[m];
+        int missing = (c->dim < 2 && p[1] > 0) || (c->dim < 3 && p[2] > 0);
+        if (!missing && p[0] + p[1] + p[2] <= c->order) use[n++] = p;
+    }
+    gsl_matrix *N = gsl_matrix_alloc((size_t)n, (size_t)n);
+    gsl_vector *z = gsl_vector_calloc((size_t)n);
+    for (int a = 0; a < n; a++) {
+        const int *p = use[a];
+        for (int b = 0; b < n; b++) {
+            double m = ceiling_weights_moment(&W, p[0] + use[b][0], p[1] + use[b][1], p[2] + use[b][2]);
+            gsl_matrix_set(N, (size_t)a, (size_t)b, m);
+        }
+        for (int axis = 0; axis < c->dim; axis++)
+            if (p[axis] == 2 && p[0] + p[1] + p[2] == 2) gsl_vector_set(z, (size_t)a, 2 * c->ratio[axis]);
+    }
+    gsl_linalg_HH_svx(N, z);
+    OFFSETS(c->dim, s->reach, i, j, k) {
+        double sum = 0;
+        for (int a = 0; a < n; a++)
+            sum += gsl_vector_get(z, (size_t)a) * power(i, use[a][0]) * power(j, use[a][1]) * power(k, use[a][2]);
+        AT(s, i, j, k) *= sum;
+    }
+    gsl_matrix_free(N);
+    gsl_vector_free(z);
+}
+
+/* The derivative along x, sum w x = 1, applied twice, and its images along the other axes times their ratios. */
+static void apply_twice(const struct ceiling_lattice_case *c, struct ceiling_weights *s, double *blind) {
+    struct ceiling_weights D = *s, one = {.dim = c->dim};
+    double sum = ceiling_weights_moment(s, 2, 0, 0), across = 0;
+    OFFSETS(c->dim, NEAR, i, j, k) {
+        double w = AT(&D, i, j, k) *= i / sum;
+        across += w * i * (i % 2 ? -1 : 1);
+    }
+    *blind = across * across;
+    OFFSETS(c->dim, NEAR, i, j, k) {
+        double w = AT(&D, i, j, k);
+        if (w == 0) continue;
+        OFFSETS(c->dim, NEAR, l, m, n) AT(&one, i + l, j + m, k + n) += w * AT(&D, l, m, n);
+    }
+    s->reach = REACH;
+    OFFSETS(c->dim, REACH, i, j, k) {
+        AT(s, i, j, k) = AT(&one, i, j, k);
+        if (c->dim > 1) AT(s, i, j, k) += c->ratio[1] * AT(&one, j, i, k);
+        if (c->dim > 2) AT(s, i, j, k) += c->ratio[2] * AT(&one, k, j, i);
+    }
+}
+
+void ceiling_weights_of(const struct ceiling_lattice_case *c, struct ceiling_weights *s, double *blind) {
+    int step = c->family == DIFFERENCE_TWICE ? 2 : 1;
+    *blind = c->family == DIFFERENCE_TWICE;
+    *s = (struct ceiling_weights){.dim = c->dim, .reach = NEAR};
+    OFFSETS(c->dim, NEAR, i, j, k) AT(s, i, j, k) = ceiling_weights_radial(c, sqrt(i * i + j * j + k * k));
+    switch (c->family) {
+    case LEAST_SQUARES:
+        least_squares(c, s);
+        break;
+    case TWICE_VALUE:
+    case TWICE_SLOPE:
+        apply_twice(c, s, blind);
+        break;
+    case DIFFERENCE_TWICE:
+    case DIFFERENCE:
+        *s = (struct ceiling_weights){.dim = c->dim, .reach = NEAR};
+        for (int a = 0; a < c->dim; a++)
+            for (int side = -step; side <= step; side += 2 * step)
+                AT(s, a == 0 ? side : 0, a == 1 ? side : 0, a == 2 ? side : 0) = c->ratio[a] / (step * step);
+        break;
+    default: {
+        double second = ceiling_weights_moment(s, 2, 0, 0) / 2;
+        OFFSETS(c->dim, NEAR, i, j, k) AT(s, i, j, k) /= second;
+    }
+    }
+}
+
+/* B - 2 A */
+static double anisotropy(struct ceiling_lattice_case *c, double h) {
+    struct ceiling_weights s;
+    double blind;
+    c->h = h;
+    ceiling_weights_of(c, &s, &blind);
+    return ceiling_weights_moment(&s, 2, 2, 0) / 4 - ceiling_weights_moment(&s, 4, 0, 0) / 12;
+}
+
+/* --h iso: the root of B = 2 A nearest to 1.2 in the plane, to 1 in space. */
+static double isotropic_h(struct ceiling_lattice_case *c) {
+    static const double step = 1.0 / 64;
+    const double middle = c->dim == 3 ? 1 : 1.2;
+    for (int k = 0; k < 100; k++)
+        for (int side = -1; side <= 1; side += 2) {
+            double lo = middle + side * k * step, hi = lo + side * step, at_lo = anisotropy(c, lo);
+            if (at_lo * anisotropy(c, hi) > 0) continue;
+            for (int i = 0; i < 50; i++) {
+                double half = (lo + hi) / 2;
+                *(anisotropy(c, half) * at_lo > 0 ? &lo : &hi) = half;
+            }
+            return (lo + hi) / 2;
+        }
+    return NAN;
+}
+
+struct ceiling_lattice_case ceiling_lattice_case(const struct experiment *e) {
+    const struct problem *p = &e->problem;
+    const struct options *o = &e->options;
+    struct options resolved = *o;
+    struct failure ignored;
+    struct ceiling_lattice_case c = {.family = family_of(e->method->name), .kernel = o->kernel, .dim = p->dim};
+    for (int a = 0; a < DIM_MAX; a++)
+        c.ratio[a] = a < p->dim && !options_is_matched(o) ? p->material[0].k[a] / p->material[0].k[0] : 1;
+    c.order = o->order > 2 ? o->order : 2;
+    if (e->method->scheme && !particles_resolve(p, o, e->method->scheme, &resolved, &ignored)) c.h = resolved.h;
+    if (o->h_iso) c.h = isotropic_h(&c);
+    if (strcmp(e->method->name, "brookshaw") == 0) c.eta = 0.1 * c.h;
+    return c;
+}
