@@ -39,7 +39,7 @@ static void bounds_of(int line, const struct experiment *e, struct gate *g) {
 const char *const battery_profile_words[] = {"all", "particles", NULL};
 
 static int is_in_profile(const char *id, enum profile profile) {
-    return profile == PROFILE_ALL || strncmp(id, "periodic/", 9) == 0;
+    return profile == PROFILE_ALL || strncmp(id, "periodic/", 9) == 0 || strcmp(id, "space/smooth") == 0;
 }
 
 /* Rows in a plane take most of the time; rods detect all faults except those of two axes. */

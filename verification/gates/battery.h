@@ -10,7 +10,7 @@
 
 #include "verification/gates/gates.h"
 
-/* Particles without walls have the rows periodic/... only. */
+/* Particles without walls have the periodic bodies only: periodic/..., space/smooth. */
 enum profile { PROFILE_ALL, PROFILE_PARTICLES };
 extern const char *const battery_profile_words[]; /* ended by NULL */
 

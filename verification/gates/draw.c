@@ -6,6 +6,7 @@
 #include "references/mapping.h"
 #include "references/scene.h"
 #include "solver/status.h"
+#include "verification/text/number.h"
 #include "verification/text/words.h"
 
 #include <gsl/gsl_rng.h>
@@ -71,10 +72,16 @@ static int is_drawn(const char *ranges, const char *set) {
     return 0;
 }
 
-static int dimension_of(const struct scene *s) {
+/* With the values of the row: mode_z of a wave makes a plane a box. */
+static int dimension_of(const struct scene *s, const char *sets) {
     struct problem p;
     struct failure ignored;
+    char name[32], value[32];
+    int used;
     scene_defaults(s, &p);
+    for (; sscanf(sets, " %31[^=]=%31s%n", name, value, &used) == 2; sets += used)
+        for (int i = 0; s->params[i].name; i++)
+            if (strcmp(s->params[i].name, name) == 0) number_read(value, &p.param[i]);
     return s->setup(&p, &ignored) ? 0 : p.dim;
 }
 
@@ -103,7 +110,7 @@ int battery_command(const struct battery_row *row, unsigned long seed, char comm
             words_add(command, BATTERY_COMMAND, " --set %.*s", (int)strcspn(at, " "), at);
     if (seed) {
         gsl_rng *r = generator(seed, scene, row->ranges);
-        m = draw_map(seed, scene, dimension_of(scene_find(scene)), strstr(row->ranges, "cross") != NULL);
+        m = draw_map(seed, scene, dimension_of(scene_find(scene), row->sets), strstr(row->ranges, "cross") != NULL);
         int status = draw_ranges(row->ranges, r, command, &offset, why);
         double scale = exp2(between(r, -1, 1));
         gsl_rng_free(r);
