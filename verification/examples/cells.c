@@ -8,15 +8,15 @@
  *
  * The points are the centres of the cells (o) and, in a frame around them, the centres of the faces
  * on the sides (x). A rectangle of 3 by 2 cells has four rows of five points; a rod of 3 cells has
- * one row:
+ * one row; a box has layers, of which the first and the last are frame:
  *
  *     x x x x x
  *     x o o o x        x o o o x
  *     x o o o x
  *     x x x x x
  *
- * They are numbered row by row.  The number of points in a row is `stride`: the neighbours of point
- * c are c - 1 and c + 1 along x, c - stride and c + stride along y. */
+ * They are numbered row by row and layer by layer.  The neighbours of point c along axis d are
+ * c - stride[d] and c + stride[d]: stride is 1, the points of a row, and those of a layer. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,19 +26,19 @@ enum { HELD = 1, FLUX = 2, COOLED = 3 }; /* the kinds of walls in the answers of
 enum { NOT_APPLICABLE = 77 };
 
 struct point {
-    double x[2];
+    double x[3];
     double T, source, rho_c;
     struct {
         double k;              /* conductivity */
         double kind, value, b; /* wall: b is the Robin coefficient */
-    } axis[2];
-    double conductance[4]; /* W m^-3 K^-1, to the neighbours at x low, x high, y low, y high */
+    } axis[3];
+    double conductance[6]; /* W m^-3 K^-1, to the neighbours at x low, x high, y low, ... */
     double flux;           /* W m^-3, what walls of given flux add */
     double rate;           /* W m^-3 */
 };
 
-static int dim = 1, n[2] = {1, 1}, source_changes, walls_change;
-static double lo[2], hi[2] = {0, 1}, width[2], t_end, dt_asked;
+static int dim = 1, n[3] = {1, 1, 1}, source_changes, walls_change;
+static double lo[3], hi[3], width[3], t_end, dt_asked;
 static char oracle[2048];
 
 /* k that depends on T, if the case has a k_law: k_0 (1 + k_beta u) or k_0 u^k_n, u = T - k_ref */
@@ -46,7 +46,7 @@ static char k_law[16];
 static double k_0, k_beta, k_ref, k_n;
 
 static struct point *point; /* cells and frame */
-static int points, stride;
+static int points, stride[3];
 
 static void stop(const char *reason) {
     fprintf(stderr, "cells: %s\n", reason);
@@ -64,9 +64,9 @@ static void read_case(const char *path) {
     FILE *f = need(fopen(path, "r"), "the case cannot be opened");
     while (fgets(line, sizeof line, f)) {
         sscanf(line, "dim = %d", &dim);
-        sscanf(line, "cells = %d, %d", &n[0], &n[1]);
-        sscanf(line, "lo = %lf, %lf", &lo[0], &lo[1]);
-        sscanf(line, "hi = %lf, %lf", &hi[0], &hi[1]);
+        sscanf(line, "cells = %d, %d, %d", &n[0], &n[1], &n[2]);
+        sscanf(line, "lo = %lf, %lf, %lf", &lo[0], &lo[1], &lo[2]);
+        sscanf(line, "hi = %lf, %lf, %lf", &hi[0], &hi[1], &hi[2]);
         sscanf(line, "t_end = %lf", &t_end);
         sscanf(line, "dt = %lf", &dt_asked);
         sscanf(line, "source = %15s", source);
@@ -77,21 +77,19 @@ static void read_case(const char *path) {
         sscanf(line, "k_ref = %lf", &k_ref);
         sscanf(line, "k_n = %lf", &k_n);
         sscanf(line, "oracle = %2047[^\n]", oracle);
-        /* This code has rods and rectangles with walls: neither round bodies nor periodic ones. */
+        /* This code has rods, rectangles and boxes with walls: no round or periodic bodies. */
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
         if (strstr(line, "= periodic")) exit(NOT_APPLICABLE);
     }
     fclose(f);
     source_changes = strcmp(source, "changing") == 0;
     walls_change = strcmp(walls, "changing") == 0;
-    for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
+    for (int d = 0; d < dim; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
 
-/* The place of point c along axis d: 1 to n for cells, 0 and n + 1 for the frame.  A rod has one
- * row, 1. */
+/* The place of point c along axis d: 1 to n for cells, 0 and n + 1 for the frame. */
 static int place(int c, int d) {
-    if (d == 0) return c % stride;
-    return dim == 2 ? c / stride : 1;
+    return c / stride[d] % (n[d] + 2);
 }
 
 static int is_cell(int c) {
@@ -101,8 +99,11 @@ static int is_cell(int c) {
 }
 
 static void make_points(void) {
-    stride = n[0] + 2;
-    points = stride * (dim == 2 ? n[1] + 2 : 1);
+    points = 1;
+    for (int d = 0; d < dim; d++) {
+        stride[d] = points;
+        points *= n[d] + 2;
+    }
     point = need(calloc((size_t)points, sizeof *point), "out of memory");
     for (int c = 0; c < points; c++)
         for (int d = 0; d < dim; d++) {
@@ -114,10 +115,12 @@ static void make_points(void) {
 /* Writes the points, or those of the frame alone, into a file that `reference` reads. */
 static void write_points(const char *path, int frame) {
     FILE *f = need(fopen(path, "w"), "the points cannot be written");
-    fprintf(f, "x,y,dx,dy\n");
-    for (int c = 0; c < points; c++)
-        if (!frame || !is_cell(c))
-            fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", point[c].x[0], point[c].x[1], width[0], width[1]);
+    fprintf(f, "x,y,z,dx,dy,dz\n"); /* `reference` skips the columns that the case does not have */
+    for (int c = 0; c < points; c++) {
+        if (frame && is_cell(c)) continue;
+        for (int d = 0; d < 3; d++) fprintf(f, "%.17g,", point[c].x[d]);
+        fprintf(f, "%.17g,%.17g,%.17g\n", width[0], width[1], width[2]);
+    }
     if (fclose(f)) stop("the points cannot be written");
 }
 
@@ -144,9 +147,10 @@ static double next_number(FILE *answers) {
 /* One line a point: its coordinates, then the columns in the order in which they are asked for; a
  * wall is three. */
 static void ask_scene(const char *path) {
+    static const char *const axes[] = {"", "k_x,wall_x", "k_x,wall_x,k_y,wall_y",
+                                       "k_x,wall_x,k_y,wall_y,k_z,wall_z"};
     char what[80];
-    snprintf(what, sizeof what, "initial_heat,source,rho_c,"
-             "k_x,wall_x%s", dim == 2 ? ",k_y,wall_y" : "");
+    snprintf(what, sizeof what, "initial_heat,source,rho_c,%s", axes[dim]);
     FILE *answers = ask(path, "0", what);
     for (struct point *p = point; p < point + points; p++) {
         for (int d = 0; d < dim; d++) next_number(answers); /* the point */
@@ -203,9 +207,8 @@ static double make_faces(void) {
         if (!is_cell(c)) continue;
         point[c].flux = 0;
         for (int d = 0; d < dim; d++) {
-            int step = d == 0 ? 1 : stride;
-            make_face(c, 2 * d, c - step);
-            make_face(c, 2 * d + 1, c + step);
+            make_face(c, 2 * d, c - stride[d]);
+            make_face(c, 2 * d + 1, c + stride[d]);
             speed += point[c].axis[d].k / (width[d] * width[d] * point[c].rho_c);
         }
         fastest = fmax(fastest, speed);
@@ -220,7 +223,7 @@ static void step_by(double dt) {
         if (!is_cell(c)) continue;
         p->rate = p->source + p->flux;
         for (int face = 0; face < 2 * dim; face++) {
-            int distance = face < 2 ? 1 : stride;
+            int distance = stride[face / 2];
             int e = face % 2 == 1 ? c + distance : c - distance;
             p->rate += p->conductance[face] * (point[e].T - p->T);
         }
@@ -254,13 +257,14 @@ static void read_walls(FILE *walls) {
 /* Data that change in time are asked for at the start of every step, all times at once: a block of
  * lines a time.  The block of the end time is left unread. */
 static void run(const char *path, const char *frame, int steps) {
+    static const char *const walls_of[] = {"", "wall_x", "wall_x,wall_y", "wall_x,wall_y,wall_z"};
     char times[64];
     FILE *sources = NULL, *walls = NULL;
     snprintf(times, sizeof times, "0:%.17g:%d", t_end, steps + 1);
     if (source_changes) sources = ask(path, times, "source");
     if (walls_change) {
         write_points(frame, 1);
-        walls = ask(frame, times, dim == 2 ? "wall_x,wall_y" : "wall_x");
+        walls = ask(frame, times, walls_of[dim]);
     }
     for (int step = 0; step < steps; step++) {
         if (sources) read_sources(sources);
@@ -274,11 +278,11 @@ static void run(const char *path, const char *frame, int steps) {
 
 static void write_answer(const char *path, int steps) {
     FILE *f = need(fopen(path, "w"), "the answer cannot be written");
-    fprintf(f, "# steps = %d\n%s\n", steps, dim == 2 ? "x,y,T" : "x,T");
+    static const char *const header[] = {"", "x,T", "x,y,T", "x,y,z,T"};
+    fprintf(f, "# steps = %d\n%s\n", steps, header[dim]);
     for (struct point *p = point; p < point + points; p++) {
         if (!is_cell((int)(p - point))) continue;
-        fprintf(f, "%.17g,", p->x[0]);
-        if (dim == 2) fprintf(f, "%.17g,", p->x[1]);
+        for (int d = 0; d < dim; d++) fprintf(f, "%.17g,", p->x[d]);
         fprintf(f, "%.17g\n", p->T);
     }
     if (fclose(f)) stop("the answer cannot be written");

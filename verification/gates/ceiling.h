@@ -82,6 +82,9 @@ double ceiling_five_point(const struct experiment *e, int linf);
 double ceiling_five_point_on_faces(const struct experiment *e);
 double ceiling_harmonic_mean(const struct experiment *e); /* the same with harmonic means, for k that depends on T */
 
+/* The error of the seven-point difference in a ball, averaged over the directions of its lattice. */
+double ceiling_ball(const struct experiment *e);
+
 /* ---- Bounds for codes of any kind ---- */
 
 /* The effect of cell means used as values, dx^2/24 lap T; of a field displaced by a cell along each axis; and |T_xx
