@@ -48,6 +48,7 @@ contains
             text = line(equals + 3:)
             select case (key)
             case ('dim'); read (text, *) dim
+                if (dim == 3) stop 77 ! rods and rectangles alone
             case ('cells'); read (text, *) n(:dim)
             case ('lo'); read (text, *) lo(:dim)
             case ('hi'); read (text, *) hi(:dim)

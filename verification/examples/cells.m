@@ -44,10 +44,10 @@ if numel(args) != 2
     error('two arguments are needed: CASE OUT');
 end
 field = read_case(args{1});
-if any(isfield(field, {'shape', 'walls', 'k_law'})) || any(strcmp(struct2cell(field), 'periodic'))
-    exit(77); % boxes with steady walls and k alone
-end
 dim = numbers(field.dim);
+if dim == 3 || any(isfield(field, {'shape', 'walls', 'k_law'})) || any(strcmp(struct2cell(field), 'periodic'))
+    exit(77); % rods and rectangles with steady walls and k alone
+end
 lo = numbers(field.lo);
 hi = numbers(field.hi);
 n = numbers(field.cells);

@@ -6,6 +6,7 @@ The case file gives the grid and the end time.  `heatladder reference` gives all
 source, coefficients, walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER
 is the path of that program.
 """
+import itertools
 import math
 import os
 import subprocess
@@ -32,7 +33,7 @@ class Reference:
         program = os.environ.get("HEATLADDER", "heatladder")
         self.words = [program, "reference", *oracle.split(), "--points", path]
         with open(path, "w") as f:
-            print("x,dx" if self.dim == 1 else "x,y,dx,dy", file=f)
+            print(*["x", "y", "z"][:self.dim], *["dx", "dy", "dz"][:self.dim], sep=",", file=f)
             for point in points:
                 print(*point, *width, sep=",", file=f)
 
@@ -54,8 +55,8 @@ width = [(hi[d] - lo[d]) / n[d] for d in range(dim)]
 # The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides
 # (drawn in cells.c).
 axes = [[lo[d]] + [lo[d] + (i + 0.5) * width[d] for i in range(n[d])] + [hi[d]] for d in range(dim)]
-points = [(x,) for x in axes[0]] if dim == 1 else [(x, y) for y in axes[1] for x in axes[0]]
-stride = [1, n[0] + 2]  # from a point to the next along x and along y
+points = [p[::-1] for p in itertools.product(*axes[::-1])]  # x fastest
+stride = [math.prod(m + 2 for m in n[:d]) for d in range(dim)]  # from a point to the next along an axis
 
 
 def on_side(e, d):
@@ -65,7 +66,7 @@ def on_side(e, d):
 cells = [c for c in range(len(points)) if not any(on_side(c, d) for d in range(dim))]
 
 reference = Reference(case["oracle"], sys.argv[2] + ".points", points, width)
-what = "initial_heat,source,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else "")
+what = "initial_heat,source,rho_c" + "".join([f",k_{axis},wall_{axis}" for axis in "xyz"[:dim]])
 scene = reference.ask("0", what)
 T = [values[0] for values in scene]
 source = [values[1] for values in scene]
@@ -132,6 +133,6 @@ for step in range(steps):
 
 with open(sys.argv[2], "w") as f:
     print("# steps =", steps, file=f)
-    print("x,T" if dim == 1 else "x,y,T", file=f)
+    print(*["x", "y", "z"][:dim], "T", sep=",", file=f)
     for c in cells:
         print(*points[c], T[c], sep=",", file=f)

@@ -127,8 +127,8 @@ def main():
     if len(sys.argv) != 3:
         sys.exit("nodes.py CASE OUT")
     case = read_case(sys.argv[1])
-    if {"shape", "walls", "k_law"} & case.keys() or "periodic" in case.values():
-        sys.exit(77)  # boxes with steady walls alone
+    if case["dim"] == "3" or {"shape", "walls", "k_law"} & case.keys() or "periodic" in case.values():
+        sys.exit(77)  # rods and rectangles with steady walls alone
     body = Body(case, sys.argv[2] + ".points")
     nodes, T, steps = solve(body)
     with open(sys.argv[2], "w") as out:

@@ -42,8 +42,8 @@ class Conduction(Equation):
 
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
-if "changing" in case.values() or "dy" in case or "shape" in case or "k_law" in case:
-    sys.exit(77)  # square cells in boxes, and data that stay
+if case["dim"] == "3" or "changing" in case.values() or "dy" in case or "shape" in case or "k_law" in case:
+    sys.exit(77)  # square cells in rods and rectangles, and data that stay
 
 
 def numbers(key):

@@ -2,10 +2,9 @@
 
     rho_c dT/dt = source + sum over the faces of a cell of (heat flux into the cell) / width
 
-A case in the plane is a slab: its x and y are along two axes of the box, which the case names
-(`axes = x,z`), and along the third nothing changes.  A rod is along x.  `heatladder reference`
-gives start, source, coefficients and walls at the centres of the cells of one layer and of the
-faces on its sides.  $HEATLADDER is the path of that program.
+A rod or a rectangle is a thin box: along the axes that the case does not have nothing changes, and
+the answer is one layer.  `heatladder reference` gives start, source, coefficients and walls at the
+centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
 """
 import os
 import subprocess
@@ -28,29 +27,26 @@ def numbers(key):
 
 lo, hi, n, t_end = numbers("lo"), numbers("hi"), numbers("cells").astype(int), float(case["t_end"])
 width = (hi - lo) / n
-plane = ["xyz".index(axis) for axis in case.get("axes", "x,y").split(",")][:len(n)]
-others = [d for d in range(3) if d not in plane]
-box = np.full(3, LAYERS)
-box[plane] = n
-spacing = np.full(3, width[0])
-spacing[plane] = width
+dim = len(n)
+box = np.append(n, [LAYERS] * (3 - dim)).astype(int)
+spacing = np.append(width, [width[0]] * (3 - dim))
 
-# The points of one layer: cells 1 to n along each of its axes, framed by the faces on the sides.
-axes = [np.clip(lo[a] + (np.arange(n[a] + 2) - 0.5) * width[a], lo[a], hi[a]) for a in range(len(n))]
+# The points of the case: cells 1 to n along each of its axes, framed by the faces on the sides.
+axes = [np.clip(lo[a] + (np.arange(n[a] + 2) - 0.5) * width[a], lo[a], hi[a]) for a in range(dim)]
 points = np.stack([x.ravel() for x in np.meshgrid(*axes, indexing="ij")], axis=1)
 file = sys.argv[2] + ".points"
 np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g", ",", comments="",
-           header=",".join(["x", "y"][:len(n)] + ["dx", "dy"][:len(n)]))
+           header=",".join(["x", "y", "z"][:dim] + ["dx", "dy", "dz"][:dim]))
 
 
 def ask(times, what):
-    """The named columns, each as an array over the framed box; all layers are equal."""
+    """The named columns, each as an array over the framed box; layers of a thin box are equal."""
     program = os.environ.get("HEATLADDER", "heatladder")
     words = [program, "reference", *case["oracle"].split(), "--points", file, "--time", times, "--what", what]
     run = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
     answer = run.stdout.splitlines()
-    columns = np.array([[float(x) for x in line.split(",")] for line in answer[1:]])[:, len(n):].T
-    layers = [np.expand_dims(column.reshape(-1, *(n + 2)), [1 + d for d in others]) for column in columns]
+    columns = np.array([[float(x) for x in line.split(",")] for line in answer[1:]])[:, dim:].T
+    layers = [column.reshape(-1, *(n + 2), *[1] * (3 - dim)) for column in columns]
     return [np.broadcast_to(layer, (len(layer), *(box + 2))) for layer in layers]
 
 
@@ -68,12 +64,12 @@ def along(d, part):
 conductance = []  # W m^-2 K^-1, of the faces across each axis
 fastest = 0
 for d in range(3):
-    name = "xy"[plane.index(d)] if d in plane else None
-    k, kind, value, b = [column[0] for column in ask("0", f"k_{name or 'x'},wall_{name or 'x'}")]
+    axis = "xyz"[d if d < dim else 0]
+    k, kind, value, b = [column[0] for column in ask("0", f"k_{axis},wall_{axis}")]
     resistance = spacing[d] / (2 * k)
     for side, cell in (0, 1), (-1, -2):
         wall = along(d, side)
-        if name is None:
+        if d >= dim:
             resistance[wall] = np.inf
             continue
         resistance[wall] = np.select([kind[wall] == FLUX, kind[wall] == COOLED],
@@ -98,7 +94,7 @@ for step in range(steps):
         rate += np.diff(flux, axis=d) / spacing[d]
     T[inside] += t_end / steps * rate / rho_c[inside]
 
-layer = T[inside][tuple(slice(None) if d in plane else 0 for d in range(3))]
-cells = points.reshape(*(n + 2), len(n))[(slice(1, -1),) * len(n)].reshape(-1, len(n))
+layer = T[inside][(slice(None),) * dim + (0,) * (3 - dim)]
+cells = points.reshape(*(n + 2), dim)[(slice(1, -1),) * dim].reshape(-1, dim)
 np.savetxt(sys.argv[2], np.column_stack([cells, layer.ravel()]), "%.17g", ",", comments="",
-           header=f"# steps = {steps}\n" + ",".join(["x", "y"][:len(n)] + ["T"]))
+           header=f"# steps = {steps}\n" + ",".join(["x", "y", "z"][:dim] + ["T"]))

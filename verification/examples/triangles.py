@@ -64,7 +64,7 @@ def assemble(nodes, triangles, rho_c, k, source, kind, value, b):
 
 def solve(case):
     """Nodes (n x 2) and T at the end time (n)."""
-    if "shape" not in case:
+    if case["dim"] != "2" or "shape" not in case:
         raise heatladder.NotApplicable
     hole, radius = float(case.get("r1", 0)), float(case.get("r2", case.get("radius", 1)))
     dx = float(case["dx"])
