@@ -31,28 +31,38 @@ enum { CHECK_EVERY = 32 };
 
 /* ---- One step ---- */
 
-static void step_direct(struct ftcs_grid *g) {
+/* The rows of a plane or a box, and of two materials. */
+static void step_rows(struct ftcs_grid *g, const double F[DIM_MAX]) {
     const struct ftcs_loops *loops = g->loops;
-    const ptrdiff_t nx = g->n[0], ny = g->n[1], up = g->stride[1], over = g->stride[2];
-    double F[DIM_MAX];
-    for (int a = 0; a < DIM_MAX; a++) F[a] = g->kappa[a] * g->dt / (g->d[a] * g->d[a]);
-    for (ptrdiff_t row = 0, k = 0; k < g->n[2]; k++)
-        for (ptrdiff_t j = 0; j < ny; j++, row++) {
-            const double *T = g->T + g->corner + j * up + k * over;
-            double *next = g->next + g->corner + j * up + k * over;
+    const int nx = g->n[0];
+    const ptrdiff_t up = g->stride[1], over = g->stride[2];
+    const double *heating = g->heating;
+    for (ptrdiff_t k = 0; k < g->n[2]; k++) {
+        const double *T = g->T + g->corner + k * over;
+        double *next = g->next + g->corner + k * over;
+        for (int j = 0; j < g->n[1]; j++, T += up, next += up) {
             if (g->layers[3])
-                loops->layers_row(g->n[0], g->dt, g->layers[1], g->layers[2], g->layers[3], T, T - up, T + up, next);
+                loops->layers_row(nx, g->dt, g->layers[1], g->layers[2], g->layers[3], T, T - up, T + up, next);
             else if (g->layers[0])
-                loops->layers(g->n[0], g->dt, g->layers[1], g->layers[2], T, next);
-            else if (g->dim == 1)
-                loops->rod(g->n[0], F[0], T, next);
+                loops->layers(nx, g->dt, g->layers[1], g->layers[2], T, next);
             else if (g->dim == 2)
-                loops->row(g->n[0], F[0], F[1], T, T - up, T + up, next);
+                loops->row(nx, F[0], F[1], T, T - up, T + up, next);
             else
-                loops->box(g->n[0], F, T, up, over, next);
-            if (g->layers[4]) loops->lateral(g->n[0], g->dt, g->layers[4], T, over, next);
-            if (g->heating) loops->accumulate(g->n[0], g->dt, g->heating + row * nx, next);
+                loops->box(nx, F, T, up, over, next);
+            if (g->layers[4]) loops->lateral(nx, g->dt, g->layers[4], T, over, next);
+            if (heating) loops->accumulate(nx, g->dt, heating, next), heating += nx;
         }
+    }
+}
+
+static void step_direct(struct ftcs_grid *g) {
+    double F[DIM_MAX];
+    for (int a = 0; a < g->dim; a++) F[a] = g->kappa[a] * g->dt / (g->d[a] * g->d[a]);
+    if (g->dim == 1 && !g->layers[0]) {
+        g->loops->rod(g->n[0], F[0], g->T + g->corner, g->next + g->corner);
+        if (g->heating) g->loops->accumulate(g->n[0], g->dt, g->heating, g->next + g->corner);
+    } else
+        step_rows(g, F);
     double *old = g->T;
     g->T = g->next;
     g->next = old;

@@ -117,17 +117,18 @@ static void reflect(ptrdiff_t n, double sign, const double *restrict T, const do
     for (ptrdiff_t i = 0; i < n; i++) ghost[i] = sign * T[i] + more[i];
 }
 
-void ftcs_edge_walls(const struct ftcs_grid *g) {
+/* Ghosts at both ends of a row along x */
+static inline void ends(const struct ftcs_grid *g, ptrdiff_t place, double *row) {
     const struct ftcs_edge *lo = &g->edge[X_LO], *hi = &g->edge[X_HI];
     const ptrdiff_t nx = g->n[0];
-    for (ptrdiff_t place = 0, k = 0; k < g->n[2]; k++)
-        for (ptrdiff_t j = 0; j < g->n[1]; j++, place++) {
-            double *row = g->T + g->corner + j * g->stride[1] + k * g->stride[2];
-            for (int m = 0; m < FTCS_LAYERS; m++) {
-                row[-1 - m] = lo->sign[m] * row[lo->mirror[m]] + lo->offset[m * lo->places + place];
-                row[nx + m] = hi->sign[m] * row[nx - 1 - hi->mirror[m]] + hi->offset[m * hi->places + place];
-            }
-        }
+    for (int m = 0; m < FTCS_LAYERS; m++) {
+        row[-1 - m] = lo->sign[m] * row[lo->mirror[m]] + lo->offset[m * lo->places + place];
+        row[nx + m] = hi->sign[m] * row[nx - 1 - hi->mirror[m]] + hi->offset[m * hi->places + place];
+    }
+}
+
+static void lateral_walls(const struct ftcs_grid *g) {
+    const ptrdiff_t nx = g->n[0];
     for (int s = Y_LO; s < 2 * g->dim; s++) {
         const struct ftcs_edge *e = &g->edge[s];
         const int a = s / 2, b = 3 - a; /* rows along x, side by side along b */
@@ -140,4 +141,15 @@ void ftcs_edge_walls(const struct ftcs_grid *g) {
                         T - (1 + m) * inwards);
             }
     }
+}
+
+void ftcs_edge_walls(const struct ftcs_grid *g) {
+    double *first = g->T + g->corner;
+    if (g->dim == 1) {
+        ends(g, 0, first);
+        return;
+    }
+    for (ptrdiff_t place = 0, k = 0; k < g->n[2]; k++)
+        for (int j = 0; j < g->n[1]; j++, place++) ends(g, place, first + j * g->stride[1] + k * g->stride[2]);
+    lateral_walls(g);
 }
