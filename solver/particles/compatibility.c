@@ -98,9 +98,9 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
         {s->isotropic && unequal, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
         {two && o->sampling == SAMPLING_SPLINE, SAMPLING, "four cells of two materials have no common average",
          "point or cell"},
-        {problem_changes(p) && !law && particles_rows(p, o), METHOD,
-         "walls or a source that change in time need one stencil for all particles",
-         "--layout lattice or node, one material and plane walls between particles or on them"},
+        {problem_changes(p) && !law && (cut || two), METHOD,
+         "walls or a source that change in time need one material and plane walls that do not cut the lattice",
+         "--walls mirror or fixed without --shift"},
         /* k(T) */
         {law && !conduction_supports(s), METHOD, "k depends on temperature here",
          "so_ssph, fo_ssph, brookshaw or ftcs"},

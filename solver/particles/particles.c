@@ -143,7 +143,12 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
     }
     f->weight = a->volume, a->volume = NULL;
     if (!f->weight) f->weight = c.cell, c.cell = NULL;
-    layout_cloud_free(&c);
+    if (a->images && !status) {
+        a->images->cloud = xcalloc(1, sizeof c);
+        *a->images->cloud = c;
+    } else {
+        layout_cloud_free(&c);
+    }
     return status;
 }
 

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 
 void csr_row_create(struct row *r, size_t n) {
-    *r = (struct row){xcalloc(n, sizeof(double)), xcalloc(n, sizeof(uint32_t)), 0, xcalloc(n, 1)};
+    *r = (struct row){xcalloc(n, sizeof(double)), xcalloc(n, sizeof(uint32_t)), 0, xcalloc(n, 1), NULL};
 }
 
 void csr_row_clear(struct row *r) {
@@ -83,6 +83,7 @@ static void add_point(const struct assembly *m, size_t i, uint32_t j, double w, 
     }
     csr_row_add(r, c->source[j], w * c->factor[j]);
     *g += c->offset[j] * w;
+    if (r->images && j >= c->n) assembly_list_add(r->images, j, w);
 }
 
 /* Adds flux .  D T at point j; `of` receives its neighbourhood. */
@@ -135,7 +136,7 @@ struct rows {
     const struct assembly *m;
     struct heat_operator *a;
     double *g;
-    struct assembly_list part[ASSEMBLY_BLOCKS];
+    struct assembly_list part[ASSEMBLY_BLOCKS], images[ASSEMBLY_BLOCKS];
 };
 
 static int take_rows(void *context, int b, size_t begin, size_t end, struct failure *why) {
@@ -147,11 +148,13 @@ static int take_rows(void *context, int b, size_t begin, size_t end, struct fail
     struct surroundings *at = xcalloc(2, sizeof *at);
     int status = STATUS_OK;
     csr_row_create(&r, m->c->n);
+    if (a->images) r.images = &all->images[b];
     for (size_t i = begin; i < end && !status; i++) {
-        size_t before = list->n;
+        size_t before = list->n, images = all->images[b].n;
         status = add_row(m, a, i, at, &r, &all->g[i], why);
         move_row(&r, i, list, &a->diagonal[i]);
         a->row[i + 1] = list->n - before;
+        if (a->images) a->images->row[i + 1] = all->images[b].n - images;
     }
     csr_row_free(&r);
     free(at);
@@ -186,6 +189,29 @@ static void keep_cells(struct assembly *m, struct heat_operator *a) {
     a->volume = m->mesh.volume, m->mesh.volume = NULL;
 }
 
+/* An operator whose data change keeps the weights of its ghosts; the creator of the operator gives it the cloud. */
+static void keep_images(struct heat_operator *a, struct rows *all) {
+    struct images *to = a->images;
+    size_t entries = assembly_list_join(all->images, a->n, to->row, &to->point, &to->weight);
+    a->bytes += entries * (sizeof *to->point + sizeof *to->weight) + (a->n + 1) * sizeof *to->row;
+}
+
+void csr_constants(const struct heat_operator *a, const struct problem *p, const struct options *o, double t,
+                   double *g) {
+    const struct images *from = a->images;
+    const struct cloud *c = from->cloud;
+    struct later now;
+    double *offset = xcalloc(c->total, sizeof *offset), x[DIM_MAX];
+    problem_later(p, t, &now);
+    for (size_t j = c->n; j < c->total; j++) offset[j] = layout_image_offset(&now.problem, o, c, j);
+    for (size_t i = 0; i < a->n; i++) {
+        layout_cloud_place(c, i, x);
+        g[i] = p->source ? now.problem.source(&now.problem, x) / p->material[0].rho_c : 0;
+        for (size_t k = from->row[i]; k < from->row[i + 1]; k++) g[i] += from->weight[k] * offset[from->point[k]];
+    }
+    free(offset);
+}
+
 int csr_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct cloud *c, double spacing, struct failure *why) {
     struct assembly m;
@@ -193,6 +219,10 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
     struct rows all = {.m = &m, .a = a, .g = xcalloc(a->n, sizeof *all.g)};
     a->row = xcalloc(a->n + 1, sizeof *a->row);
     a->diagonal = xcalloc(a->n, sizeof *a->diagonal);
+    if (problem_changes(p)) {
+        a->images = xcalloc(1, sizeof *a->images);
+        a->images->row = xcalloc(a->n + 1, sizeof *a->images->row);
+    }
     int status = assembly_in_blocks(a->n, o->threads, take_rows, &all, why);
     if (!status && s->cells) keep_cells(&m, a);
     assembly_free(&m); /* before the rows are copied, to limit peak memory */
@@ -201,10 +231,12 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
         a->bytes += a->pairs * (sizeof *a->column + sizeof *a->value) + (a->n + 1) * sizeof *a->row +
                     a->n * sizeof *a->diagonal;
         copy_bands(a);
+        if (a->images) keep_images(a, &all);
         assembly_keep_constants(&m, all.g, a);
     } else {
         free(all.g);
     }
     assembly_list_free(all.part);
+    assembly_list_free(all.images);
     return status;
 }

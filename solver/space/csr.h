@@ -9,12 +9,19 @@
 int csr_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct cloud *c, double spacing, struct failure *why);
 
+/* g (one value per particle) at the time t, s: the source and a->images. */
+void csr_constants(const struct heat_operator *a, const struct problem *p, const struct options *o, double t,
+                   double *g);
+
+struct assembly_list;
+
 /* A row of A, with ghosts in the columns of their sources. */
 struct row {
     double *value;    /* by column, n of the operator; zero if not touched */
     uint32_t *column; /* touched columns, in any order */
     size_t n;         /* number of touched columns */
     unsigned char *touched;
+    struct assembly_list *images; /* lists the weights of ghosts too; NULL: not */
 };
 
 /* Creates an empty row of n columns; empties it in time proportional to its touched columns; frees it. */

@@ -132,6 +132,9 @@ int layout_cut(const struct problem *p, const struct options *o, const struct la
 void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
                    struct cloud *c);
 
+/* The offset of the image j >= c->n beyond plane walls, K. */
+double layout_image_offset(const struct problem *p, const struct options *o, const struct cloud *c, size_t j);
+
 /* Moves the n particles of *c apart until they settle; ignores ghosts. spacing, m: V^(1/dim).  Returns
  * STATUS_NUMERICAL with the last displacement if o->sweeps do not suffice.  The result does not depend on the number
  * of threads. */

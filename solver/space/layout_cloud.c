@@ -71,6 +71,15 @@ static void append_image(const struct problem *p, const struct options *o, const
     c->offset[k] = layout_ghost_offset(p, o->walls, NULL, side, ghost, source);
 }
 
+double layout_image_offset(const struct problem *p, const struct options *o, const struct cloud *c, size_t j) {
+    double ghost[DIM_MAX], source[DIM_MAX];
+    int side[DIM_MAX] = {-1, -1, -1};
+    layout_cloud_place(c, j, ghost);
+    layout_cloud_place(c, c->source[j], source);
+    for (int a = 0; a < p->dim; a++) side[a] = ghost[a] < p->lo[a] ? 2 * a : ghost[a] > p->hi[a] ? 2 * a + 1 : -1;
+    return layout_ghost_offset(p, o->walls, NULL, side, ghost, source);
+}
+
 void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
                    struct cloud *c) {
     double source[DIM_MAX];

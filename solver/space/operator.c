@@ -238,6 +238,10 @@ static void add_constants(const struct heat_operator *a, const struct problem *p
 void operator_constants(const struct heat_operator *a, const struct problem *p, const struct options *o, double t,
                         double *g) {
     struct later now;
+    if (!a->weight) {
+        csr_constants(a, p, o, t, g);
+        return;
+    }
     problem_later(p, t, &now);
     memset(g, 0, a->state * sizeof *g);
     add_constants(a, &now.problem, o, g);
@@ -322,6 +326,14 @@ void operator_free(struct heat_operator *a) {
     free(a->volume);
     free(a->rho_c);
     free(a->g);
+    if (a->images) {
+        if (a->images->cloud) layout_cloud_free(a->images->cloud);
+        free(a->images->cloud);
+        free(a->images->row);
+        free(a->images->point);
+        free(a->images->weight);
+        free(a->images);
+    }
     *a = (struct heat_operator){0};
 }
 

@@ -77,6 +77,13 @@ struct scheme {                   /* neighbour weights of a particle method; the
                    struct wall_row *out, struct failure *why);
 };
 
+struct images {          /* weights of the ghosts of a cloud in each row, if the data change */
+    size_t *row;         /* n + 1 */
+    uint32_t *point;     /* row[n] */
+    double *weight;      /* s^-1, row[n] */
+    struct cloud *cloud; /* owned */
+};
+
 struct heat_operator {
     size_t n; /* number of particles */
     struct lattice lattice;
@@ -98,7 +105,8 @@ struct heat_operator {
     size_t pairs; /* sum over particles of the number of neighbours; with two sweeps including those of neighbours */
     size_t bytes; /* size of the arrays above */
     int threads;
-    int lanes; /* see options.h */
+    int lanes;             /* see options.h */
+    struct images *images; /* NULL on a lattice, and for steady data */
 };
 
 /* Start of row j of the particles in a state; a cloud has one row. */
@@ -122,7 +130,7 @@ static inline int operator_images(int i, int j, int k) {
 /* For a lattice of one material. */
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why);
-/* g (one state) at the time t, s, of an operator on a lattice. */
+/* g (one state) at the time t, s. */
 void operator_constants(const struct heat_operator *a, const struct problem *p, const struct options *o, double t,
                         double *g);
 /* For particles at any positions; spacing (m) is the unit of the option h. */
