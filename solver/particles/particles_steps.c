@@ -117,7 +117,7 @@ static void data_range(const struct problem *p, const struct field *f, double *l
         for (int k = 0; k < (p->dim == 3 ? 81 : 9) && shape_has_wall(p, s); k++) {
             double at[DIM_MAX] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, for a round wall */
             for (int a = 0; a < p->dim && !p->shape; a++) {
-                int first = a == (s / 2 == 0) || p->dim < 3; /* of the two tangents of a side of a box */
+                int first = a == (s / 2 == 0) || p->dim < 3; /* tangent of a side of a box */
                 at[a] = p->lo[a] + (first ? k % 9 : k / 9) / 8.0 * (p->hi[a] - p->lo[a]);
             }
             struct foot foot = shape_foot(p, s, at);

@@ -4,8 +4,13 @@
 #include "solver/sweep/sweep.h"
 #include "solver/sweep/wavefront.h"
 
-enum { TOGETHER = 8 };                     /* maximum number of updates per sweep */
-static const ptrdiff_t CACHE = 256 * 1024; /* doubles that the planes between two updates may fill */
+/* For 200^3 particles on an EPYC of 1 MB of L2: 870 million updates per second of 33 points with these values, 700
+ * with 2 updates per sweep, 580 with 1. */
+enum {
+    BAND = 4,        /* planes per front */
+    TOGETHER = 8,    /* maximum number of updates per sweep */
+    CACHE = 1 << 20, /* doubles of both states between the first and the last of them, in a shared cache of 8 MB */
+};
 
 static sweep_planes *planes_of(int lanes) {
     if (lanes == 0) lanes = options_lanes_most();
@@ -85,15 +90,8 @@ static void advance(const void *what, int k, ptrdiff_t plane, ptrdiff_t end) {
 void sweep_box(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
     struct sweep s = {a, u, count, support_of(a), planes_of(a->lanes), Y};
     ptrdiff_t nz = a->lattice.n[2], lag = a->reach[2], slabs = nz / (2 * lag), fit = CACHE / (2 * lag * a->plane);
-    struct wavefront w = {advance,
-                          &s,
-                          nz,
-                          lag,
-                          1,
-                          fit < 1          ? 1
-                          : fit < TOGETHER ? (int)fit
-                                           : TOGETHER,
-                          a->threads < slabs ? a->threads : (int)slabs};
+    int together = fit < 1 ? 1 : fit < TOGETHER ? (int)fit : TOGETHER;
+    struct wavefront w = {advance, &s, nz, lag, BAND, together, a->threads < slabs ? a->threads : (int)slabs};
     refresh_planes(a, Y[0], 0, nz);
     for (int side = Z_LO; side <= Z_HI; side++) refresh_side(a, side, Y[0]);
     wavefront_sweep(&w, count);
