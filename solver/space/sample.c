@@ -29,7 +29,7 @@ static double b_spline(int m, double u) {
     return u < 1 ? 2.0 / 3 - u * u * (1 - u / 2) : u < 2 ? (2 - u) * (2 - u) * (2 - u) / 6 : 0;
 }
 
-static inline double continued(const struct problem *p, const double *x);
+static double continued(const struct problem *p, const double *x);
 
 /* T0 beyond side s: T0(x) = sign T0(image) + offset, or that of the opposite side where they are periodic. */
 static double reflected(const struct problem *p, enum side s, const double *x) {
@@ -50,13 +50,17 @@ static double reflected(const struct problem *p, enum side s, const double *x) {
     return inside + value * 2 * beyond / p->material[layout_material(p, foot[0])].k[a];
 }
 
+static inline int is_outside(const struct problem *p, int axis, double x) {
+    return x < p->lo[axis] || x > p->hi[axis];
+}
+
 /* T0, extended beyond the walls; beyond an edge or a corner, between possibly different sides, the mean of all
  * orders, as for ghosts. */
-static inline double continued(const struct problem *p, const double *x) {
+static double continued(const struct problem *p, const double *x) {
     double sum = 0;
     int sides = 0;
     for (int a = 0; a < p->dim; a++) {
-        if (!(x[a] < p->lo[a]) && !(x[a] > p->hi[a])) continue;
+        if (!is_outside(p, a, x[a])) continue;
         sum += reflected(p, (enum side)(2 * a + (x[a] > p->hi[a])), x);
         sides++;
     }
@@ -221,9 +225,11 @@ static void rule_free(struct rule *r) {
 /* T[i] for the particles along x, at y = at[1] and z = at[2]; value: work space of x->nodes */
 static void average_row(const struct problem *p, const struct rule *x, int n, double at[DIM_MAX], double *value,
                         double *T) {
+    int outside = 0;
+    for (int a = 1; a < p->dim; a++) outside |= is_outside(p, a, at[a]);
     for (size_t k = 0; k < x->nodes; k++) {
         at[0] = x->node[k];
-        value[k] = continued(p, at);
+        value[k] = outside || is_outside(p, 0, at[0]) ? continued(p, at) : p->initial(p, at);
     }
     for (int i = 0; i < n; i++) {
         const double *v = value + x->first[i], *w = x->weight + x->begin[i];
@@ -263,15 +269,16 @@ static void average(const struct problem *p, const struct rule *rules, int dim, 
 }
 
 static void sample_points(const struct problem *p, const struct lattice *l, double *T) {
-    double *x = xcalloc((size_t)l->n[0], sizeof *x), at[DIM_MAX];
-    for (int i = 0; i < l->n[0]; i++) {
+    const int nx = l->n[0];
+    double *x = xcalloc((size_t)nx, sizeof *x), at[DIM_MAX];
+    for (int i = 0; i < nx; i++) {
         layout_position(l, i, 0, 0, at);
         x[i] = at[0];
     }
     for (int k = 0; k < l->n[2]; k++)
         for (int j = 0; j < l->n[1]; j++) {
             layout_position(l, 0, j, k, at);
-            for (int i = 0; i < l->n[0]; i++) {
+            for (int i = 0; i < nx; i++) {
                 at[0] = x[i];
                 *T++ = p->initial(p, at);
             }
