@@ -17,7 +17,9 @@
 #include <string.h>
 
 static const double INDISTINCT = 0.02; /* faults whose shares differ by less cannot be distinguished */
-static const double STEADY = 0.25; /* relative change of a size from rung to rung below which it counts as constant */
+/* Relative change of a size from rung to rung below which it counts as constant: the finest spacings of the battery
+ * have the ratio 4/3, by which a size in a unit with another power of dx changes at least. */
+static const double STEADY = 0.25;
 static const double LEAST_MEAN =
     0.3; /* least fraction of the arithmetic mean's effect for which another mean is detected */
 enum { POINTS = 20000, FAULTS = 56 };
@@ -269,15 +271,15 @@ unsigned diagnosis_sides(const struct problem *p, struct fault fault) {
 }
 
 /* The kind of mean whose effect is the fraction `found` of the arithmetic mean's effect at a contact; effects are
- * proportional to 1/k - 1/harmonic. */
+ * proportional to 1/k - 1/harmonic.  It is the nearer of two, and another one if it is on the harmonic side of the
+ * geometric mean by half of their distance.  A size is known to half of STEADY: nearer means are not distinguished.
+ */
 static int mean_of(const struct problem *p, double found) {
-    static const double NEAR = 0.12;
-    static const double HALF = 0.45, MUCH = 0.3; /* positions between the geometric and the arithmetic mean */
     double a = p->material[0].k[0], b = p->material[1].k[0], harmonic = (1 / a + 1 / b) / 2;
     double geometric = (1 / sqrt(a * b) - harmonic) / (2 / (a + b) - harmonic);
-    double way = (found - geometric) / (1 - geometric);
-    if (1 - geometric < NEAR) return MEAN_IS_EITHER;
-    return way > HALF ? MEAN_IS_ARITHMETIC : way > -HALF && way < MUCH ? MEAN_IS_GEOMETRIC : MEAN_IS_OTHER;
+    double way = (found - geometric) / (1 - geometric); /* 0: geometric, 1: arithmetic */
+    if (1 - geometric < STEADY / 2) return MEAN_IS_EITHER;
+    return way > 0.5 ? MEAN_IS_ARITHMETIC : way > -0.5 ? MEAN_IS_GEOMETRIC : MEAN_IS_OTHER;
 }
 
 static void name(const struct problem *p, const struct candidate_fault *c, const struct diagnosis_rung *fine,
@@ -399,7 +401,7 @@ int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
 }
 
 int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
-    static const double SUMS = 1e-9; /* 1e6 round-off errors of 1e-16, with a margin of ten */
+    static const double SUMS = 1e-8; /* 1e6 round-off errors of 1e-16, with a margin of a hundred (whole/repeat) */
     if (!(apart > SUMS * largest)) return 0;
     *d = (struct diagnosis){.named = 1, .fault = {FAULT_NOISE, 0}, .size = apart, .unit = "K", .share = NAN};
     wording_fault(d);

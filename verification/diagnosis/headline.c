@@ -14,7 +14,7 @@
 /* Faults of different axes or materials are different; faults of different sides or corners are one fault of all
  * sides.  An extra step in every run agrees with extra steps in some runs. */
 static int is_same(const struct diagnosis *a, const struct diagnosis *b) {
-    static const double SAME = 0.2;
+    static const double SAME = 0.2; /* each size is known to 12 %, half of STEADY (diagnosis.c): sqrt(2) of that */
     const enum fault_kind kind = a->fault.kind;
     if (!a->named || !b->named || strcmp(a->unit, b->unit) != 0) return 0;
     if (kind != b->fault.kind && !(kind == FAULT_SOME_STEPS && b->fault.kind == FAULT_CLOCK)) return 0;
@@ -69,7 +69,7 @@ void headline_print(const struct headline *h, char text[HEADLINE_TEXT]) {
 }
 
 int headline_contradicts(const struct headline *h, const struct problem *p, double dx, double zero, double ceiling) {
-    static const double SURE = 2;
+    static const double SURE = 2; /* the rest of the error, up to a ceiling itself, may have the other sign */
     struct diagnosis d = h->fault;
     int other_mean = d.fault.kind == FAULT_MEAN && (d.fault.axis == FAULT_ANY || d.fault.axis == MEAN_IS_OTHER);
     if (other_mean || (d.fault.axis == FAULT_ANY && p->dim == 2)) return 0; /* it may differ from row to row */
