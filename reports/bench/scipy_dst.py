@@ -50,4 +50,5 @@ while True:
 
 points = np.meshgrid(*reversed(axes), indexing="ij")[::-1]
 header = f"# seconds = {seconds:.9g}\n" + ",".join("xyz"[:dim]) + ",T"
-np.savetxt(sys.argv[2], np.stack([*points, T], axis=-1).reshape(-1, dim + 1), "%.17g", ",", header=header, comments="")
+table = np.stack([*points, T], axis=-1).reshape(-1, dim + 1)
+np.savetxt(sys.argv[2], table, "%.17g", ",", header=header, comments="")

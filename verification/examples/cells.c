@@ -8,7 +8,7 @@
  *
  * The points are the centres of the cells (o) and, in a frame around them, the centres of the faces
  * on the sides (x). A rectangle of 3 by 2 cells has four rows of five points; a rod of 3 cells has
- * one row; a box has layers, of which the first and the last are frame:
+ * one row; the first and the last layer of a box are part of the frame:
  *
  *     x x x x x
  *     x o o o x        x o o o x

@@ -121,7 +121,7 @@ static void images_continue_quadratics_at_faces_edges_and_corners(void **state) 
     }
 }
 
-/* Of given temperatures that disagree at a corner the ghost takes the mean over all six orders of reflection:
+/* At a corner of different wall temperatures a ghost takes the mean over all six orders of reflection:
  * T = -T_source + 2 (+-a +-b +-c), and each value is first, second and last in two orders. */
 static double uneven(const struct problem *p, enum side s, const double *x, double t) {
     static const double held[SIDES] = {0.3, 0.8, 0.11, -0.23, 0.57, 1.3};
