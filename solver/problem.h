@@ -34,6 +34,7 @@ struct problem {
     double interface; /* m */
     struct material material[MATERIAL_MAX];
     enum k_law k_law;
+    int k_frozen;                   /* 1: k of the initial temperature at all times, a fault of a code; ftcs only */
     double k_0;                     /* W m^-1 K^-1; times K^-k_n of a power law */
     double k_beta, k_ref, k_n;      /* K^-1, K, 1 */
     enum side_kind side[SIDES];     /* indexed by enum side; in a round body X_LO is the hole, X_HI the outer wall */

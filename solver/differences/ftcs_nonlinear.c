@@ -25,6 +25,7 @@ struct cells {
     enum mean mean;
     struct ftcs_grid g;
     double *T, *rate;       /* K, W m^-3 */
+    double *first;          /* k of the initial data, W m^-1 K^-1, if it is frozen; else NULL */
     double most;            /* W m^-1 K^-1: largest k of a step */
     int hottest;            /* its cell */
     double lo, hi, heating; /* K: range of data so far; W m^-3: largest source and inflow */
@@ -56,6 +57,11 @@ static double transfer(const struct cells *c, double from, double to) {
     }
 }
 
+/* Flux into cell i, W m^-2, from a wall or air at `value` beyond the resistance 1/b. */
+static double frozen_flux(const struct cells *c, int i, double value, double b, double half) {
+    return (value - c->T[i]) / (half / c->first[i] + 1 / b);
+}
+
 /* Flux into the body, W m^-2, at a Robin face half a spacing from a point at T. */
 static double exchange(const struct cells *c, double b, double T_a, double T, double half) {
     enum { HALVINGS = 60 };
@@ -80,8 +86,11 @@ static void add_wall(struct cells *c, int s, int i, double t) {
         c->heating = fmax(c->heating, fabs(in) / (p->hi[a] - p->lo[a]));
     } else {
         c->lo = fmin(c->lo, value), c->hi = fmax(c->hi, value);
-        in = p->side[s] == ROBIN ? exchange(c, p->robin[s], value, c->T[i], d / 2)
-                                 : transfer(c, c->T[i], value) / (d / 2);
+        if (c->first)
+            in = frozen_flux(c, i, value, p->side[s] == ROBIN ? p->robin[s] : INFINITY, d / 2);
+        else
+            in = p->side[s] == ROBIN ? exchange(c, p->robin[s], value, c->T[i], d / 2)
+                                     : transfer(c, c->T[i], value) / (d / 2);
     }
     c->rate[i] += in / d;
 }
@@ -98,7 +107,9 @@ static void add_faces(struct cells *c, double t) {
                 add_wall(c, 2 * a + 1, i, t);
                 continue;
             }
-            double flux = transfer(c, c->T[i], c->T[next]) / (g->d[a] * g->d[a]);
+            double moved = c->first ? (c->T[next] - c->T[i]) * (c->first[i] + c->first[next]) / 2
+                                    : transfer(c, c->T[i], c->T[next]);
+            double flux = moved / (g->d[a] * g->d[a]);
             c->rate[i] += flux, c->rate[next] -= flux;
         }
     }
@@ -186,12 +197,15 @@ int ftcs_nonlinear_solve(const char *method, const struct problem *p, const stru
     take_start(&c, o->sampling, &f);
     c.T = f.T;
     c.rate = xcalloc(f.n, sizeof *c.rate);
+    if (p->k_frozen) c.first = xcalloc(f.n, sizeof *c.first);
+    for (size_t i = 0; i < f.n && c.first; i++) c.first[i] = conductivity(p, f.T[i]);
     f.heat[0] = heat_of(&c);
     double stepping = field_clock();
     int status = run(&c, why);
     f.cost.step_seconds = field_clock() - stepping;
     f.heat[1] = heat_of(&c);
     free(c.rate);
+    free(c.first);
     report(&c, &f);
     f.cost.seconds = field_clock() - called;
     if (status == STATUS_OK) {

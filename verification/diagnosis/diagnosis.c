@@ -22,7 +22,7 @@ static const double INDISTINCT = 0.02; /* faults whose shares differ by less can
 static const double STEADY = 0.25;
 static const double LEAST_MEAN =
     0.3; /* least fraction of the arithmetic mean's effect for which another mean is detected */
-enum { POINTS = 20000, FAULTS = 56 };
+enum { POINTS = 20000, FAULTS = 64 };
 
 struct candidate_fault {
     struct fault fault;
@@ -66,7 +66,7 @@ static int list_faults(const struct problem *p, struct fault *list) {
                  {FAULT_OFFSET, 1},      {FAULT_NEAR_WALL, 1},    {FAULT_ISOTROPIC, 2},   {FAULT_EXTENT, 3},
                  {FAULT_START_SHIFT, 2}, {FAULT_START_WIDTH, 2},  {FAULT_SAMPLES, 2},     {FAULT_WALL, 5},
                  {FAULT_CORNER, 4},      {FAULT_WALL_TIME, 1},    {FAULT_WALL_FROZEN, 1}, {FAULT_COEFFICIENT, 5},
-                 {FAULT_AXIS, 2},        {FAULT_RHO_C, 2}};
+                 {FAULT_LAW, LAWS},      {FAULT_AXIS, 2},         {FAULT_RHO_C, 2}};
     int n = 0;
     struct faulty ignored;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)

@@ -6,6 +6,8 @@
  * correct problem can therefore be used for the faulty one. */
 #include "verification/diagnosis/fault.h"
 
+#include "references/kirchhoff.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -95,6 +97,29 @@ static double source_rate(const struct problem *p, const double x[2]) {
     return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
 }
 
+static double source_at(const struct problem *p, const double *x, double t) {
+    double at[2];
+    const struct faulty *f = faulty_at(p, x, at);
+    double late = f->fault.kind == FAULT_SOURCE_TIME ? f->size : 0;
+    double value = problem_source(f->right, at, f->fault.kind == FAULT_FROZEN ? 0 : t + late);
+    return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
+}
+
+/* k in the middle of a side. */
+static double law_at_side(const struct problem *p, int s) {
+    double x[DIM_MAX] = {(p->lo[0] + p->hi[0]) / 2, (p->lo[1] + p->hi[1]) / 2};
+    x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+    return kirchhoff_k(p, p->wall(p, (enum side)s, x, 0));
+}
+
+static int has_law(const struct problem *p, int law) {
+    int s = law - LAW_SIDE;
+    if (!p->k_law || law >= LAWS) return 0;
+    if (law == LAW_REF) return p->k_law == K_LINEAR;
+    if (law == LAW_START || law == LAW_HARMONIC) return 1;
+    return s < 2 * p->dim && p->side[s] == DIRICHLET && law_at_side(p, s) > 0;
+}
+
 static int has_wall_value(const struct problem *p, enum side s) {
     for (int i = 0; i <= 8; i++) {
         double x[2];
@@ -151,10 +176,13 @@ static int applies(const struct problem *p, struct fault fault) {
     if (kind >= FAULT_SOME_STEPS || axis < 0) return 0;
     if (kind == FAULT_SWAP || kind == FAULT_ISOTROPIC)
         return p->dim == 2 && p->material[0].k[0] != p->material[0].k[1];
+    if (kind == FAULT_LAW) return has_law(p, axis);
+    if (p->k_law && p->dim > 1 && (kind == FAULT_EXTENT || kind == FAULT_AXIS)) return 0; /* k would differ by axis */
+    if (p->k_law && kind == FAULT_CORNER) return 0;
     if (kind == FAULT_TRANSPOSED) return p->dim == 2 && p->lo[0] == p->lo[1] && p->hi[0] == p->hi[1];
     if (kind == FAULT_CORNER) return p->dim == 2 && has_corner(p, axis);
-    if (kind == FAULT_SOURCE) return p->source != 0;
-    if (kind == FAULT_SOURCE_TIME || kind == FAULT_FROZEN) return p->source_rate != 0;
+    if (kind == FAULT_SOURCE) return p->source || p->source_at;
+    if (kind == FAULT_SOURCE_TIME || kind == FAULT_FROZEN) return p->source_rate || p->source_at;
     if (kind == FAULT_WALL_TIME || kind == FAULT_WALL_FROZEN) return p->wall_rate != 0;
     if (kind == FAULT_DIFFUSIVITY) return has_diffusivities(p);
     if (kind == FAULT_CAPACITY) return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
@@ -184,10 +212,27 @@ static void stretch(struct faulty *f, int axis) {
     double s = 1 + 2 * f->size / (p->hi[axis] - p->lo[axis]);
     f->stretch[axis] = s;
     for (int m = 0; m < p->materials; m++) p->material[m].k[axis] /= s * s;
+    p->k_0 /= s * s;
     for (int hi = 0; hi < 2; hi++) p->robin[2 * axis + hi] /= s;
     for (int k = 0; k < p->jumps[axis]; k++)
         p->jump[axis][k] = f->centre[axis] + (p->jump[axis][k] - f->centre[axis]) / s;
     if (axis == 0) p->interface = f->centre[0] + (p->interface - f->centre[0]) / s;
+}
+
+/* Applies the fault to a k that depends on T. */
+static void change_law(const struct problem *p, struct faulty *f) {
+    struct problem *q = &f->problem;
+    const enum fault_kind kind = f->fault.kind;
+    double scale = kind == FAULT_AMPLITUDE ? 1 + f->size : 1, single = NAN;
+    q->k_ref = scale * p->k_ref + (kind == FAULT_OFFSET ? f->size : 0);
+    q->k_beta /= scale;
+    if (p->k_law == K_POWER) q->k_0 /= pow(scale, p->k_n);
+    if (kind == FAULT_CONDUCTIVITY || (kind == FAULT_AXIS && f->fault.axis == 0)) q->k_0 *= 1 + f->size;
+    if (kind != FAULT_LAW) return;
+    q->k_frozen = f->fault.axis == LAW_START;
+    if (f->fault.axis == LAW_REF) single = p->k_0;
+    if (f->fault.axis >= LAW_SIDE && f->fault.axis < LAW_HARMONIC) single = law_at_side(p, f->fault.axis - LAW_SIDE);
+    if (isfinite(single)) q->k_law = K_LINEAR, q->k_0 = single, q->k_beta = 0;
 }
 
 /* Applies the fault to the coefficients of *f, which are initially those of *p. */
@@ -239,14 +284,16 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
     if (p->source_rate) q->source_rate = fault.kind == FAULT_FROZEN ? NULL : source_rate;
     if (fault.kind == FAULT_CLOCK) q->t_end += size;
     for (int a = 0; a < 2; a++) f->centre[a] = (p->lo[a] + p->hi[a]) / 2, q->mirror[a] = 0;
+    if (p->source_at) q->source_at = source_at;
     change_coefficients(p, f);
+    if (p->k_law) change_law(p, f);
     change_places(p, f);
     return 1;
 }
 
 int fault_is_whole(enum fault_kind kind) {
     return kind == FAULT_SWAP || kind == FAULT_CAPACITY || kind == FAULT_ISOTROPIC || kind == FAULT_TRANSPOSED ||
-           kind == FAULT_FROZEN || kind == FAULT_WALL_FROZEN || kind == FAULT_DIFFUSIVITY;
+           kind == FAULT_FROZEN || kind == FAULT_WALL_FROZEN || kind == FAULT_DIFFUSIVITY || kind == FAULT_LAW;
 }
 
 int fault_bends(enum fault_kind kind) {

@@ -31,6 +31,7 @@ enum fault_kind {
     FAULT_START_WIDTH,  /* m: either jump of the initial data is displaced outwards by this along an axis */
     FAULT_SAMPLES,      /* 1: either jump is midway between the adjacent points along an axis, as if sampled there */
     FAULT_INTERFACE,    /* m: the interface of two materials */
+    FAULT_LAW,  /* 1: k(T) is taken at another temperature, or with the mean that locks a front (enum fault_law) */
     FAULT_MEAN, /* m: the arithmetic mean of two conductivities is used over a length (a cell) across their contact */
     FAULT_AMPLITUDE, /* relative: all temperatures */
     FAULT_OFFSET,    /* K: all temperatures */
@@ -48,6 +49,8 @@ struct fault {
                  end; FAULT_ANY: rows that differ in it */
 };
 
+/* The axis of FAULT_LAW: k of the initial temperature, of k_ref, of a side, or harmonic means. */
+enum fault_law { LAW_START, LAW_REF, LAW_SIDE, LAW_HARMONIC = LAW_SIDE + 4, LAWS };
 enum { FAULT_BOTH_AXES = 2, FAULT_ALL_SIDES = 4, FAULT_ANY = -1 };
 
 /* A problem with a fault of one size.  `problem` points into this struct and must not be copied separately. */

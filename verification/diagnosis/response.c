@@ -21,7 +21,7 @@ static int solve(const struct problem *p, double dx, double fourier, enum mean m
     struct options o = {.dx = dx,
                         .fourier = fourier,
                         .sampling = p->jumps[0] + p->jumps[1] ? SAMPLING_CELL : SAMPLING_POINT,
-                        .mean = mean,
+                        .mean = p->k_law && mean != MEAN_HARMONIC ? MEAN_KIRCHHOFF : mean,
                         .domain = DOMAIN_WHOLE};
     return method_solve(method_find("ftcs"), p, &o, f, &ignored);
 }
@@ -44,8 +44,9 @@ static int fit(const struct problem *p, int n) {
 
 int response_lattice_create(const struct problem *p, struct response_lattice *l) {
     enum { LEAST = 64, MOST = 128 };
+    const int coarse = p->k_law ? 2 : 1; /* the steps of k(T) take ten times as long */
     int best = -1, n = 0;
-    for (int i = LEAST; i <= MOST; i++)
+    for (int i = LEAST / coarse; i <= MOST / coarse; i++)
         if (fit(p, i) > best) best = fit(p, i), n = i;
     if (best < 0 || p->shape) return -1; /* rings do not form a lattice */
     struct field f;
@@ -151,6 +152,7 @@ void response_laplacian(const struct problem *p, const struct response_lattice *
 int response_take(const struct problem *p, const struct response_lattice *l, struct fault fault, double size,
                   struct response *r) {
     enum mean mean = fault.kind == FAULT_MEAN ? MEAN_ARITHMETIC : MEAN_SERIES;
+    if (fault.kind == FAULT_LAW && fault.axis == LAW_HARMONIC) mean = MEAN_HARMONIC;
     double small = fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault); /* one cell for a local fault */
     r->size = size != 0 ? size : small;
     return fault_make(p, fault, r->size, &r->with) && !solve(&r->with.problem, l->dx, FOURIER, mean, &r->T) ? 0 : -1;

@@ -18,6 +18,13 @@ static const char *const sides[] = {"side x_lo holds", "side x_hi holds", "side 
 static const char *const cooled[] = {" of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi", "s"};
 static const char *const corners[] = {"the corner x_lo, y_lo", "the corner x_hi, y_lo", "the corner x_lo, y_hi",
                                       "the corner x_hi, y_hi"};
+static const char *const laws[] = {"were that of the initial temperature",
+                                   "were that of the reference temperature",
+                                   "were that of side x_lo",
+                                   "were that of side x_hi",
+                                   "were that of side y_lo",
+                                   "were that of side y_hi",
+                                   "had harmonic means, which let no heat into a cell with k = 0"};
 static const char *const means[] = {"the arithmetic mean", "the geometric mean", "the arithmetic or geometric mean",
                                     "another mean"};
 
@@ -58,6 +65,7 @@ static const struct {
                            "in", "out"},
     [FAULT_SAMPLES] = {.text = "as if the initial data were values at the points, where means over cells are due"},
     [FAULT_INTERFACE] = {"as if the interface were {size} cells too far {way}", NULL, NULL, "down", "up"},
+    [FAULT_LAW] = {"as if k(T) {name}", laws, "were that of another temperature", NULL, NULL},
     [FAULT_MEAN] = {"as if {name} of two conductivities stood for the harmonic one", means, "another mean", NULL,
                     NULL},
     [FAULT_AMPLITUDE] = {.text = "as if all temperatures were {size} % too {way}"},
