@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Matched runs that are refused. */
+/* Matched runs: refusals, order with a source. */
 #include "solver/time/matched.h"
 
 #include "verification/ladder/command.h"
@@ -60,10 +60,75 @@ static void varying_walls_are_detected_on_each_side(void **state) {
     command_free(&r);
 }
 
+/* A hot bar along one axis of a box. */
+static double hot_bar(const struct problem *p, const double *x) {
+    int along = (int)p->param[0];
+    for (int a = 0; a < DIM_MAX; a++)
+        if (a != along && fabs(x[a]) > 0.6) return 0;
+    return 1;
+}
+
+/* Point samples of a brick in a box are taken, those of an endless bar along any axis are refused. */
+static void jumps_along_two_axes_of_three_are_refused(void **state) {
+    (void)state;
+    struct command r = request("run cube-step so_ssph --dx 0.2 --set a=0.6 --set b=0.6 --set c=0.6");
+    const struct experiment *e = &r.experiment;
+    struct lattice l;
+    struct failure why = {0};
+    assert_int_equal(layout_lattice(&e->problem, &e->options, &l, &why), STATUS_OK);
+    assert_int_equal(matched_check(&e->problem, &e->options, e->method->scheme, &l, &why), STATUS_OK);
+    for (int a = 0; a < DIM_MAX; a++) {
+        struct problem p = e->problem;
+        p.param[0] = a, p.initial = hot_bar, p.jumps[a] = 0;
+        p.side[2 * a] = p.side[2 * a + 1] = NEUMANN;
+        for (int b = 0; b < DIM_MAX; b++) p.jump[b][0] = -0.6, p.jump[b][1] = 0.6;
+        assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_NOT_APPLICABLE);
+        assert_non_null(strstr(why.text, "along two axes only"));
+    }
+    command_free(&r);
+}
+
+static double wave_number(const struct problem *p, int a) {
+    return acos(-1) / (p->hi[a] - p->lo[a]);
+}
+
+static double wavy_source(const struct problem *p, const double *x) {
+    int a = (int)p->param[0];
+    return cos(wave_number(p, a) * x[a]);
+}
+
+/* rho_c dT/dt = kappa T_aa + cos(q x_a) between insulated walls, from T = 1. */
+static double heated_error(const char *line, int a) {
+    struct command r = request(line);
+    struct experiment *e = &r.experiment;
+    struct problem p = e->problem;
+    struct field f;
+    struct failure why;
+    double q = wave_number(&p, a), rate = p.material[0].k[a] * q * q, most = 0;
+    p.param[0] = a, p.initial = problem_start, p.start = 1, p.source = wavy_source;
+    for (int b = 0; b < DIM_MAX; b++) p.mirror[b] = 0;
+    if (method_solve(e->method, &p, &e->options, &f, &why)) fail_msg("%s", why.text);
+    const double *const x[DIM_MAX] = {f.x, f.y, f.z};
+    for (size_t i = 0; i < f.n; i++)
+        most = fmax(most, fabs(f.T[i] - 1 + expm1(-rate * p.t_end) / rate * cos(q * x[a][i])));
+    field_free(&f);
+    command_free(&r);
+    return most;
+}
+
+static void source_along_any_axis_is_of_fourth_order(void **state) {
+    (void)state;
+#define HEATED "run box-cosine so_ssph --stepper matched --h iso --t-end 8 --set kappa_y=0.01 --set kappa_z=0.01 --dx "
+    for (int a = 0; a < DIM_MAX; a++)
+        assert_near(log2(heated_error(HEATED "0.1", a) / heated_error(HEATED "0.05", a)), 4, 0.1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unmatched_steps_are_not_applicable),
         cmocka_unit_test(varying_walls_are_detected_on_each_side),
+        cmocka_unit_test(jumps_along_two_axes_of_three_are_refused),
+        cmocka_unit_test(source_along_any_axis_is_of_fourth_order),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("matched", tests, NULL, NULL);
