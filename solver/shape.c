@@ -137,7 +137,7 @@ struct foot shape_foot(const struct problem *p, int s, const double *x) {
 struct foot shape_nearest(const struct problem *p, const double *x, int *s) {
     struct foot nearest = {.depth = INFINITY};
     *s = -1;
-    for (int k = 0; k < SIDES; k++) {
+    for (int k = 0; k < 2 * p->dim; k++) {
         if (!shape_has_wall(p, k)) continue;
         struct foot f = shape_foot(p, k, x);
         if (f.depth < nearest.depth) nearest = f, *s = k;

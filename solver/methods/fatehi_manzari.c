@@ -13,36 +13,50 @@
 #include "solver/particles/correction.h"
 #include "solver/particles/particles.h"
 
+#define INLINE static inline __attribute__((always_inline))
+
 /* F_j (e_j e_j)_m */
-static void dyads(int dim, const struct correction *c, size_t j, double out[CORRECTION_TERMS]) {
+INLINE void dyads(int dim, const struct correction *c, size_t j, double out[CORRECTION_TERMS]) {
     const double *s = c->s[j];
     double r2 = s[0] * s[0] + s[1] * s[1] + s[2] * s[2], F = r2 > 0 ? c->F[j] / r2 : 0;
     for (int b = 0, n = 0; b < dim; b++)
         for (int a = 0; a <= b; a++) out[n++] = F * s[a] * s[b];
 }
 
+/* omega and K */
+INLINE void sums(int dim, const struct correction *c, double omega[][CORRECTION_TERMS],
+                 double K[][CORRECTION_TERMS]) {
+    double A[CORRECTION_TERMS][DIM_MAX] = {{0}};
+    const int terms = dim * (dim + 1) / 2;
+    for (size_t j = 0; j < c->n; j++) {
+        dyads(dim, c, j, omega[j]);
+        for (int m = 0; m < terms; m++)
+            for (int a = 0; a < dim; a++) A[m][a] += omega[j][m] * c->s[j][a];
+    }
+    for (size_t j = 0; j < c->n; j++) {
+        double g[DIM_MAX], q[CORRECTION_TERMS];
+        correction_apply(c, j, g);
+        correction_quadratics(dim, c->s[j], q);
+        for (int m = 0; m < terms; m++) {
+            double sum = 0;
+            for (int a = 0; a < dim; a++) sum += A[m][a] * g[a];
+            omega[j][m] -= c->F[j] * sum;
+            for (int n = 0; n < terms; n++) K[m][n] += omega[j][m] * q[n];
+        }
+    }
+}
+
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],
                    struct failure *why) {
     (void)p;
     struct correction c;
-    double A[CORRECTION_TERMS][DIM_MAX] = {{0}}, K[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}};
-    double omega[NEIGHBOURS_MAX][CORRECTION_TERMS], target[CORRECTION_TERMS], z[CORRECTION_TERMS];
+    double omega[NEIGHBOURS_MAX][CORRECTION_TERMS], K[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}};
+    double target[CORRECTION_TERMS], z[CORRECTION_TERMS];
     int terms = correction_target(nb, target);
     if (correction_create(nb, o->kernel, &c, why)) return why->status;
-    for (size_t j = 0; j < nb->n; j++) {
-        dyads(nb->dim, &c, j, omega[j]);
-        for (int m = 0; m < terms; m++)
-            for (int a = 0; a < nb->dim; a++) A[m][a] += omega[j][m] * c.s[j][a];
-    }
-    for (size_t j = 0; j < nb->n; j++) {
-        double g[DIM_MAX], q[CORRECTION_TERMS];
-        correction_apply(&c, j, g);
-        correction_quadratics(nb->dim, c.s[j], q);
-        for (int m = 0; m < terms; m++) {
-            omega[j][m] -= c.F[j] * (A[m][0] * g[0] + A[m][1] * g[1] + A[m][2] * g[2]);
-            for (int n = 0; n < terms; n++) K[m][n] += omega[j][m] * q[n];
-        }
-    }
+    if (nb->dim == 1) sums(1, &c, omega, K);
+    if (nb->dim == 2) sums(2, &c, omega, K);
+    if (nb->dim == 3) sums(3, &c, omega, K);
     if (correction_solve(nb, "matrix of second moments", terms, K, target, z, why)) return why->status;
     for (size_t j = 0; j < nb->n; j++) {
         w[0][j] = 0;

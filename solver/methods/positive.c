@@ -21,39 +21,43 @@
 #include "solver/space/kernel.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { ROWS = 9 };
 
 struct programme { /* min cost.w, sum_j column[j] w_j = right, w >= 0; columns j >= n are artificial, one per row */
     int rows;
     size_t n;
-    double column[NEIGHBOURS_MAX + ROWS][ROWS], cost[NEIGHBOURS_MAX + ROWS], right[ROWS];
+    double column[(NEIGHBOURS_MAX + ROWS) * ROWS], cost[NEIGHBOURS_MAX + ROWS], right[ROWS];
     size_t basis[ROWS];
-    double inverse[ROWS][ROWS], value[ROWS]; /* inverse of the basis; values of its weights */
+    unsigned char basic[NEIGHBOURS_MAX + ROWS]; /* 1: in the basis */
+    double inverse[ROWS][ROWS], value[ROWS];    /* inverse of the basis; values of its weights */
 };
 
 static double default_h(const struct problem *p) {
     const double *k = p->material[0].k;
     double ratio = 1;
     for (int a = 0; a < p->dim; a++)
-        for (int b = 0; b < p->dim; b++) ratio = fmax(ratio, k[a] / k[b]);
+        for (int b = 0; b < a; b++) ratio = fmax(ratio, fmax(k[a] / k[b], 1 / (k[a] / k[b])));
     return p->dim == 1 ? 1.1 : (p->dim == 2 ? 1.75 : 1.5) * sqrt(ratio);
 }
 
 static void fill(const struct neighbourhood *nb, enum kernel_name kernel, struct programme *lp) {
     lp->rows = nb->dim * (nb->dim + 3) / 2, lp->n = nb->n;
+    memset(lp->basic, 0, nb->n);
     for (size_t j = 0; j < nb->n; j++) {
         double x = nb->d[j][0] / nb->h, y = nb->d[j][1] / nb->h, z = nb->d[j][2] / nb->h;
         double all[ROWS] = {x, x * x, y, y * y, x * y, z, z * z, x * z, y * z}, r2 = x * x + y * y + z * z,
                W = kernel_value(kernel, nb->dim, sqrt(r2));
-        for (int k = 0; k < lp->rows; k++) lp->column[j][k] = all[k];
+        for (int k = 0; k < lp->rows; k++) lp->column[j * (size_t)lp->rows + (size_t)k] = all[k];
         lp->cost[j] = W > 0 && r2 > 0 ? r2 / W : INFINITY; /* never used */
     }
     double right[ROWS] = {0, 2 * nb->kappa[0], 0, 2 * nb->kappa[1], 0, 0, 2 * nb->kappa[2]};
     for (int k = 0; k < lp->rows; k++) {
         lp->right[k] = lp->value[k] = right[k] / (nb->h * nb->h);
         lp->basis[k] = nb->n + (size_t)k;
-        for (int l = 0; l < lp->rows; l++) lp->column[nb->n + (size_t)k][l] = lp->inverse[k][l] = k == l;
+        for (int l = 0; l < lp->rows; l++)
+            lp->column[lp->basis[k] * (size_t)lp->rows + (size_t)l] = lp->inverse[k][l] = k == l;
     }
 }
 
@@ -62,25 +66,21 @@ static double cost_of(const struct programme *lp, size_t j, int phase) {
     return j >= lp->n ? phase == 1 : phase == 1 ? 0 : lp->cost[j];
 }
 
-/* The reduced cost of such a column is zero up to the rounding of the inverse, which may exceed the tolerance. */
-static int is_basic(const struct programme *lp, size_t j) {
-    for (int k = 0; k < lp->rows; k++)
-        if (lp->basis[k] == j) return 1;
-    return 0;
-}
-
 /* The entering column: the one with the smallest reduced cost, or the first with a negative one; lp->n if there is
- * none. */
+ * none.  The reduced cost of a basic column is zero up to the rounding of the inverse, which may exceed the
+ * tolerance. */
 static size_t entering(const struct programme *lp, int phase, int first) {
+    const int rows = lp->rows;
     double y[ROWS] = {0}, least = phase == 1 ? -1e-11 : -1e-10;
     size_t best = lp->n;
-    for (int k = 0; k < lp->rows; k++)
-        for (int l = 0; l < lp->rows; l++) y[l] += cost_of(lp, lp->basis[k], phase) * lp->inverse[k][l];
+    for (int k = 0; k < rows; k++)
+        for (int l = 0; l < rows; l++) y[l] += cost_of(lp, lp->basis[k], phase) * lp->inverse[k][l];
     for (size_t j = 0; j < lp->n; j++) {
         double reduced = cost_of(lp, j, phase), size = reduced;
         if (!isfinite(lp->cost[j])) continue;
-        for (int l = 0; l < lp->rows; l++) reduced -= y[l] * lp->column[j][l], size += fabs(y[l] * lp->column[j][l]);
-        if (!(reduced < least * size) || is_basic(lp, j)) continue;
+        const double *column = lp->column + j * (size_t)rows;
+        for (int l = 0; l < rows; l++) reduced -= y[l] * column[l], size += fabs(y[l] * column[l]);
+        if (!(reduced < least * size) || lp->basic[j]) continue;
         best = j, least = reduced / size;
         if (first) break;
     }
@@ -110,6 +110,7 @@ static void exchange(struct programme *lp, int row, size_t j, const double *u) {
         if (lp->value[k] < 0) lp->value[k] = 0; /* by round-off */
         for (int l = 0; l < lp->rows; l++) lp->inverse[k][l] -= u[k] * lp->inverse[row][l];
     }
+    lp->basic[lp->basis[row]] = 0, lp->basic[j] = 1;
     lp->basis[row] = j;
 }
 
@@ -121,7 +122,8 @@ static int minimise(struct programme *lp, int phase) {
         size_t j = entering(lp, phase, step > DANTZIG);
         if (j == lp->n) return 0;
         for (int k = 0; k < lp->rows; k++)
-            for (int l = 0; l < lp->rows; l++) u[k] += lp->inverse[k][l] * lp->column[j][l];
+            for (int l = 0; l < lp->rows; l++)
+                u[k] += lp->inverse[k][l] * lp->column[j * (size_t)lp->rows + (size_t)l];
         int row = leaving(lp, u, phase);
         if (row < 0) return -1;
         exchange(lp, row, j, u);

@@ -61,21 +61,30 @@ static int singular(const struct neighbourhood *nb, const char *what, double con
                   what, nb->i, problem_place(nb->dim, nb->x, place), nb->n, number, CORRECTION_CONDITION_MAX);
 }
 
+static inline __attribute__((always_inline)) void sums(const struct neighbourhood *nb, int dim,
+                                                       enum kernel_name kernel, struct correction *c,
+                                                       double G[][CORRECTION_TERMS]) {
+    double unit = 1;
+    for (int a = 0; a < dim; a++) unit *= nb->h;
+    for (size_t j = 0; j < nb->n; j++) {
+        double *s = c->s[j], r2 = 0;
+        for (int a = 0; a < DIM_MAX; a++) s[a] = a < dim ? nb->d[j][a] / nb->h : 0;
+        for (int a = 0; a < dim; a++) r2 += s[a] * s[a];
+        double r = sqrt(r2);
+        /* a particle at the same position contributes nothing to a derivative */
+        c->F[j] = r > 0 ? -nb->volume / unit * kernel_slope(kernel, dim, r) / r : 0;
+        for (int a = 0; a < dim; a++)
+            for (int b = 0; b < dim; b++) G[a][b] += c->F[j] * s[a] * s[b];
+    }
+}
+
 int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, struct correction *c,
                       struct failure *why) {
     double G[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}}, inverse[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}};
-    double unit = 1;
-    for (int a = 0; a < nb->dim; a++) unit *= nb->h;
     c->n = nb->n;
-    for (size_t j = 0; j < nb->n; j++) {
-        double *s = c->s[j], r2 = 0;
-        for (int a = 0; a < DIM_MAX; a++) s[a] = nb->d[j][a] / nb->h, r2 += s[a] * s[a];
-        double r = sqrt(r2);
-        /* a particle at the same position contributes nothing to a derivative */
-        c->F[j] = r > 0 ? -nb->volume / unit * kernel_slope(kernel, nb->dim, r) / r : 0;
-        for (int a = 0; a < nb->dim; a++)
-            for (int b = 0; b < nb->dim; b++) G[a][b] += c->F[j] * s[a] * s[b];
-    }
+    if (nb->dim == 1) sums(nb, 1, kernel, c, G);
+    if (nb->dim == 2) sums(nb, 2, kernel, c, G);
+    if (nb->dim == 3) sums(nb, 3, kernel, c, G);
     double condition = invert(nb->dim, G, inverse);
     if (!(condition <= CORRECTION_CONDITION_MAX))
         return singular(nb, "matrix of the kernel's gradients", condition, why);
@@ -94,24 +103,10 @@ int correction_spans(const struct neighbourhood *nb, const double *F, struct fai
     return singular(nb, "matrix of the kernel's gradients", condition, why);
 }
 
-void correction_apply(const struct correction *c, size_t j, double out[DIM_MAX]) {
-    for (int a = 0; a < DIM_MAX; a++) {
-        out[a] = 0;
-        for (int b = 0; b < DIM_MAX; b++) out[a] += c->inverse[a][b] * c->s[j][b];
-    }
-}
-
 int correction_target(const struct neighbourhood *nb, double target[CORRECTION_TERMS]) {
     int n = 0;
     for (int b = 0; b < nb->dim; b++)
         for (int a = 0; a <= b; a++) target[n++] = a == b ? nb->kappa[a] / (nb->h * nb->h) : 0;
-    return n;
-}
-
-int correction_quadratics(int dim, const double *s, double q[CORRECTION_TERMS]) {
-    int n = 0;
-    for (int b = 0; b < dim; b++)
-        for (int a = 0; a <= b; a++) q[n++] = s[a] * s[b] * (a == b ? 0.5 : 1);
     return n;
 }
 

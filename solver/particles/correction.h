@@ -26,13 +26,21 @@ int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, s
                       struct failure *why);
 
 /* Gamma^-1 s_j */
-void correction_apply(const struct correction *c, size_t j, double out[DIM_MAX]);
+static inline void correction_apply(const struct correction *c, size_t j, double out[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++)
+        out[a] = c->inverse[a][0] * c->s[j][0] + c->inverse[a][1] * c->s[j][1] + c->inverse[a][2] * c->s[j][2];
+}
 
 /* Coefficients of the second derivatives, (kappa_x, 0, kappa_y, 0, 0, kappa_z) / h^2; returns their number. */
 int correction_target(const struct neighbourhood *nb, double target[CORRECTION_TERMS]);
 
 /* x^2/2, x y, y^2/2, x z, y z, z^2/2 at s; returns their number. */
-int correction_quadratics(int dim, const double *s, double q[CORRECTION_TERMS]);
+static inline int correction_quadratics(int dim, const double *s, double q[CORRECTION_TERMS]) {
+    int n = 0;
+    for (int b = 0; b < dim; b++)
+        for (int a = 0; a <= b; a++) q[n++] = s[a] * s[b] * (a == b ? 0.5 : 1);
+    return n;
+}
 
 /* Solves K^T z = target for the given number of terms.  STATUS_NUMERICAL as for correction_create; `what` names the
  * matrix. */

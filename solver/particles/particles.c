@@ -155,10 +155,12 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
 /* Initial temperature of a particle off the lattice; on a Dirichlet wall the wall's temperature, which it keeps. */
 static double start_at(const struct problem *p, const struct options *o, const struct lattice *l, const double x[2]) {
     double cell = layout_cell(o, l->dx[0]);
-    int wall;
-    struct foot f = shape_nearest(p, x, &wall);
-    if (layout_is_cut(p, o) && p->side[wall] == DIRICHLET && f.depth <= LAYOUT_ON_WALL * l->dx[0])
-        return p->wall(p, (enum side)wall, f.x, 0);
+    if (layout_is_cut(p, o)) {
+        int wall;
+        struct foot f = shape_nearest(p, x, &wall);
+        if (p->side[wall] == DIRICHLET && f.depth <= LAYOUT_ON_WALL * l->dx[0])
+            return p->wall(p, (enum side)wall, f.x, 0);
+    }
     return (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, l->dx, x);
 }
 

@@ -120,8 +120,8 @@ INLINE double factor_terms(int terms, double *M) {
             M[i * terms + j] = i == j ? 1 / sqrt(sum) : sum * M[j * terms + j];
         }
     for (int k = 0; k < terms; k++) {
-        double column[SSPH_TERMS_MAX] = {0}, sum = 0;
-        column[k] = 1;
+        double column[SSPH_TERMS_MAX], sum = 0;
+        for (int l = 0; l < terms; l++) column[l] = l == k;
         solve_terms(terms, M, column);
         for (int l = 0; l < terms; l++) sum += fabs(column[l]);
         inverse = fmax(inverse, sum);

@@ -93,8 +93,9 @@ static int add_derivative(const struct assembly *m, size_t i, uint32_t j, const 
     if (assembly_neighbourhood(m, j, of, why) || operator_weights(m->s, m->p, m->o, &of->nb, w, why))
         return why->status;
     for (size_t k = 0; k < of->nb.n; k++) {
-        double sum = 0;
-        for (int a = 0; a < m->p->dim; a++) sum += flux[a] * w[a][k];
+        double sum = flux[0] * w[0][k];
+        if (m->p->dim > 1) sum += flux[1] * w[1][k];
+        if (m->p->dim > 2) sum += flux[2] * w[2][k];
         own -= sum;
         add_point(m, i, of->near[k], sum, r, g);
     }

@@ -57,18 +57,25 @@ static void add_convolution(struct cube *to, const struct cube *a, double factor
         }
 }
 
+static inline __attribute__((always_inline)) void derivatives(const struct neighbourhood *nb, int dim,
+                                                              const double *F, double C[DIM_MAX][DIM_MAX],
+                                                              double *const w[]) {
+    for (size_t j = 0; j < nb->n; j++)
+        for (int a = 0; a < dim; a++) {
+            double sum = 0;
+            for (int b = 0; b < dim; b++) sum += C[a][b] * nb->d[j][b];
+            w[a][j] = F[j] * sum;
+        }
+}
+
 int operator_weights(const struct scheme *s, const struct problem *p, const struct options *o,
                      const struct neighbourhood *nb, double *w[], struct failure *why) {
     double F[NEIGHBOURS_MAX], C[DIM_MAX][DIM_MAX];
     if (s->sweeps == 1) return s->weights(p, o, nb, w, why);
     if (s->pairs(p, o, nb, F, C, why)) return why->status;
-    for (size_t j = 0; j < nb->n; j++) {
-        for (int a = 0; a < nb->dim; a++) {
-            double sum = 0;
-            for (int b = 0; b < nb->dim; b++) sum += C[a][b] * nb->d[j][b];
-            w[a][j] = F[j] * sum;
-        }
-    }
+    if (nb->dim == 1) derivatives(nb, 1, F, C, w);
+    if (nb->dim == 2) derivatives(nb, 2, F, C, w);
+    if (nb->dim == 3) derivatives(nb, 3, F, C, w);
     return STATUS_OK;
 }
 
