@@ -40,6 +40,7 @@ static const struct part {
     {"Walls", "walls_work.svg", 0, "Error against work, by treatment of the wall", "make walls"},
     {"Walls", "walls_offset.svg", 0, "Order against the offset of plane walls", "make walls"},
     {"Walls", "walls_field.svg", 0, "The error on the disc", "make walls"},
+    {"Walls", "front_means.svg", 0, "A front of k = k_0 T^2, by the mean of k at a pair", "make front"},
     {"Stability", "stability_limits.svg", 0,
      "Largest stable step against h/dx: published, by von Neumann's analysis, measured", "make stability"},
     {"Stability", "stability_blowup.svg", 0, "Runs just below and just above the limit", "make stability"},
