@@ -191,10 +191,10 @@ static void make_face(int c, int face, int e) {
         p->flux += beyond->axis[d].value / width[d];
         return;
     }
+    if (!is_wall) resistance += width[d] / (2 * beyond->axis[d].k);
     if (*k_law && is_wall)
         resistance = resistance_of_mean(p, width[d] / 2, beyond->axis[d].kind == HELD ? beyond->T : p->T);
     if (*k_law && !is_wall) resistance = resistance_of_mean(p, width[d], beyond->T);
-    if (!*k_law && !is_wall) resistance += width[d] / (2 * beyond->axis[d].k);
     if (is_wall && beyond->axis[d].kind == COOLED) resistance += 1 / beyond->axis[d].b;
     p->conductance[face] = 1 / (resistance * width[d]);
 }
