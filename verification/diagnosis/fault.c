@@ -116,7 +116,8 @@ static int has_law(const struct problem *p, int law) {
     int s = law - LAW_SIDE;
     if (!p->k_law || law >= LAWS) return 0;
     if (law == LAW_REF) return p->k_law == K_LINEAR;
-    if (law == LAW_START || law == LAW_HARMONIC) return 1;
+    if (law == LAW_START) return p->source_at || p->wall_rate; /* else the start may be steady */
+    if (law == LAW_HARMONIC) return 1;
     return s < 2 * p->dim && p->side[s] == DIRICHLET && law_at_side(p, s) > 0;
 }
 

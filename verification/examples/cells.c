@@ -251,7 +251,7 @@ static void read_walls(FILE *walls) {
             next_number(walls);
         }
     }
-    make_faces();
+    if (!*k_law) make_faces(); /* else with the temperatures of the step */
 }
 
 /* Data that change in time are asked for at the start of every step, all times at once: a block of
