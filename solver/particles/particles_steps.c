@@ -161,7 +161,7 @@ int particles_integrate(const struct problem *p, const struct options *o, const 
     f->bound = bound;
     data_range(p, f, &m.lo, &m.hi);
     f->data[0] = m.lo, f->data[1] = m.hi;
-    m.x = f->x, m.y = f->y;
+    m.field = f;
     m.changing = problem_changes(p) ? p : NULL, m.options = o;
     if (check_damping(o, a, &m, why)) return why->status;
     return stepper_march(a, &m, f->T, &f->cost.bytes, why);

@@ -49,11 +49,15 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
     size_t i = state_find_outside(a, state, m->lo - half, m->hi + half);
     if (i == a->n) return STATUS_OK;
     double dt = m->time / (double)m->steps, *T = xcalloc(a->n, sizeof *T), value;
-    char where[64] = "";
+    char where[4 + PLACE_TEXT] = "", place[PLACE_TEXT];
     state_store(a, state, T);
     value = T[i];
     free(T);
-    if (m->x) snprintf(where, sizeof where, " at (%.6g, %.6g) m", m->x[i], m->y ? m->y[i] : 0);
+    if (m->field) {
+        const struct field *f = m->field;
+        double x[DIM_MAX] = {f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0};
+        snprintf(where, sizeof where, " at %s", problem_place(f->dim, x, place));
+    }
     const char *reason = stepper_of(m->stepper)->order == 0
                              ? "a mode grows, or the spectrum is not near the real axis"
                          : dt * m->bound <= 2 ? "dt is too large, or a mode grows at any step (see: heatladder limit)"

@@ -19,8 +19,8 @@ struct march {
     int stages;         /* updates per step if the stepper has no fixed number */
     int start[2]; /* updates of a damping first step: of each of its two quarter steps, and of the half step that
                      follows; 0: the first step is like all others */
-    const double *x, *y; /* m, positions for messages; NULL if there are none; y is NULL on a rod */
-    double lo, hi;       /* K, range of a stable run, see stepper_march */
+    const struct field *field; /* its positions are for messages; NULL if there are none */
+    double lo, hi;             /* K, range of a stable run, see stepper_march */
     const struct problem
         *changing; /* the problem, if its walls or source change in time, with `options`; else NULL */
     const struct options *options;
