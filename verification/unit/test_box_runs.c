@@ -270,6 +270,24 @@ static void walls_are_met_on_all_lines(void **state) {
         }
 }
 
+static double cold(const struct problem *p, const double *x) {
+    (void)p, (void)x;
+    return 0;
+}
+
+static void any_side_warms_a_cold_box(void **state) {
+    (void)state;
+    for (int s = 0; s < SIDES; s++) {
+        struct problem p = odd_box();
+        struct options o = {.dx = 0.1, .stepper = STEPPER_EXACT};
+        for (int k = 0; k < SIDES; k++) p.side[k] = DIRICHLET, p.held[k] = k == s;
+        p.initial = cold, p.wall = problem_held;
+        struct field f = solved(&method_so_ssph, &p, &o);
+        assert_order(field_largest(&f), >, 0.1);
+        field_free(&f);
+    }
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -279,6 +297,7 @@ int main(void) {
         cmocka_unit_test(body_uniform_along_z_is_a_plane),
         cmocka_unit_test(samples_of_products_are_products),
         cmocka_unit_test(walls_are_met_on_all_lines),
+        cmocka_unit_test(any_side_warms_a_cold_box),
     };
     return cmocka_run_group_tests_name("box_runs", tests, NULL, NULL);
 }

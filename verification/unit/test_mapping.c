@@ -65,11 +65,13 @@ static int place_of(const struct mapping *m, const struct mapping *n) {
     return (int)(100 * to[0] + 10 * to[1] + to[2]);
 }
 
-/* Two maps in succession are one of the 48; each has its inverse; sides follow their points. */
+/* Two maps in succession are one of the 48; each has its inverse; sides and interfaces follow their points. */
 static void maps_of_a_box_form_a_group(void **state) {
     (void)state;
     const struct mapping none = {0};
+    struct problem contact;
     int place[48];
+    odd_find("box-contact", &contact);
     for (int i = 0; i < 48; i++) {
         const struct mapping m = of_box(i);
         place[i] = place_of(&m, &none);
@@ -98,6 +100,9 @@ static void maps_of_a_box_form_a_group(void **state) {
             int t = mapping_side(&m, (enum side)s);
             assert_true(to[t / 2] == (t % 2 ? 1 : -1));
         }
+        struct image image;
+        mapping_image(&m, &contact, &image);
+        assert_int_equal(mapping_axis(&m, image.interface_axis), 0);
     }
 }
 

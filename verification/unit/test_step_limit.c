@@ -31,8 +31,8 @@ static struct step_limit predicted(const struct model_problem *b) {
 /* -4 sin^2(theta/2) and -sin^2(theta) along each axis: limits 1/(2 d) and 2/d. */
 static void finite_differences_have_their_symbols(void **state) {
     (void)state;
-    const double theta[2] = {1.37, -0.59};
-    for (int dim = 1; dim <= 2; dim++) {
+    const double theta[DIM_MAX] = {1.37, -0.59, 0.83};
+    for (int dim = 1; dim <= DIM_MAX; dim++) {
         struct model_problem direct = probe(&method_ftcs, dim, 0), flux = probe(&method_ftcs_flux, dim, 0);
         struct symbol s[2];
         struct failure why;
@@ -50,7 +50,7 @@ static void finite_differences_have_their_symbols(void **state) {
         }
         assert_near(predicted(&direct).von_neumann, 0.5 / dim, 1e-12);
         assert_near(predicted(&flux).von_neumann, 2.0 / dim, 1e-11);
-        assert_near(predicted(&direct).published, 0.25 * dim, 0); /* Pamplona eq. 17 */
+        if (dim < 3) assert_near(predicted(&direct).published, 0.25 * dim, 0); /* Pamplona eq. 17 */
         assert_nan(predicted(&flux).published);
     }
 }

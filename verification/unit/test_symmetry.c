@@ -28,6 +28,7 @@ static void as_the_whole(const char *line, int saving) {
     for (size_t i = 0; i < part.n; i++) {
         assert_near(part.x[i], whole.x[i], 1e-14);
         if (part.y) assert_near(part.y[i], whole.y[i], 1e-14);
+        if (part.z) assert_near(part.z[i], whole.z[i], 1e-14);
         assert_near(part.T[i], whole.T[i], 2e-13);
     }
     assert_order(field_largest(&part), >, 0.1);
@@ -55,6 +56,8 @@ static void reduced_domain_equals_the_whole(void **state) {
     as_the_whole("run square-step so_ssph --dx 0.1 --h iso --stepper matched --sampling spline", 4);
     as_the_whole("run square-step so_ssph --dx 0.1 --h iso --stepper matched --set kappa_y=0.0025 --set b=0.7", 4);
     as_the_whole("run cube-step so_ssph --dx 0.1 --stepper exact", 8);
+    as_the_whole("run box-cosine so_ssph --dx 0.1 --stepper exact", 2); /* odd modes along y and z */
+    as_the_whole("run box-cosine so_ssph --dx 0.1 --stepper exact --set mode_z=2", 4);
     as_the_whole("run cube-step fo_ssph --dx 0.1 --stepper rkl2 --dt 0.5", 8);
     as_the_whole("run cube-step so_ssph --dx 0.1 --h iso --stepper matched --sampling spline --set kappa_y=0.01 "
                  "--set kappa_z=0.01",
