@@ -401,7 +401,7 @@ int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
 }
 
 int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
-    static const double SUMS = 1e-8; /* 1e6 round-off errors of 1e-16, with a margin of a hundred (whole/repeat) */
+    static const double SUMS = 1e-8; /* as whole/repeat: 1e6 round-off errors of 1e-16, a hundredfold */
     if (!(apart > SUMS * largest)) return 0;
     *d = (struct diagnosis){.named = 1, .fault = {FAULT_NOISE, 0}, .size = apart, .unit = "K", .share = NAN};
     wording_fault(d);
