@@ -22,7 +22,7 @@ static const double INDISTINCT = 0.02; /* faults whose shares differ by less can
 static const double STEADY = 0.25;
 static const double LEAST_MEAN =
     0.3; /* least fraction of the arithmetic mean's effect for which another mean is detected */
-enum { POINTS = 20000, FAULTS = 64 };
+enum { POINTS = 20000, FAULTS = 120 };
 
 struct candidate_fault {
     struct fault fault;
@@ -35,10 +35,11 @@ struct candidate_fault {
 
 /* dx^2/24 laplace(T) of the initial data, K, by differences within the cell; NAN next to a side. */
 static double start_mean(const struct problem *p, const struct diagnosis_rung *r, size_t i) {
-    const double d = r->dx / 8, at[2] = {r->field->x[i], r->field->y ? r->field->y[i] : 0};
+    const double d = r->dx / 8,
+                 at[DIM_MAX] = {r->field->x[i], r->field->y ? r->field->y[i] : 0, r->field->z ? r->field->z[i] : 0};
     double sum = 0;
     for (int a = 0; a < p->dim; a++) {
-        double above[2] = {at[0], at[1]}, below[2] = {at[0], at[1]};
+        double above[DIM_MAX] = {at[0], at[1], at[2]}, below[DIM_MAX] = {at[0], at[1], at[2]};
         above[a] += d, below[a] -= d;
         if (below[a] < p->lo[a] || above[a] > p->hi[a]) return NAN;
         sum += p->initial(p, above) - 2 * p->initial(p, at) + p->initial(p, below);
@@ -48,7 +49,7 @@ static double start_mean(const struct problem *p, const struct diagnosis_rung *r
 
 double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *start) {
     double ee = 0, em = 0, mm = 0;
-    if (p->materials > 1 || p->jumps[0] + p->jumps[1] > 0 || p->source) return NAN;
+    if (p->materials > 1 || p->jumps[0] + p->jumps[1] + p->jumps[2] > 0 || p->source) return NAN;
     for (size_t i = 0; i < start->field->n; i++) {
         double e = start->field->T[i] - start->exact[i], m = start_mean(p, start, i);
         if (isfinite(e) && isfinite(m)) ee += e * e, em += e * m, mm += m * m;
@@ -60,13 +61,33 @@ static int list_faults(const struct problem *p, struct fault *list) {
     static const struct {
         enum fault_kind kind;
         int count; /* number of axes, sides or corners */
-    } kinds[] = {{FAULT_CLOCK, 1},       {FAULT_CONDUCTIVITY, 1}, {FAULT_SWAP, 1},        {FAULT_TRANSPOSED, 1},
-                 {FAULT_SOURCE, 1},      {FAULT_CAPACITY, 1},     {FAULT_INTERFACE, 1},   {FAULT_MEAN, 1},
-                 {FAULT_AMPLITUDE, 1},   {FAULT_SOURCE_TIME, 1},  {FAULT_FROZEN, 1},      {FAULT_DIFFUSIVITY, 1},
-                 {FAULT_OFFSET, 1},      {FAULT_NEAR_WALL, 1},    {FAULT_ISOTROPIC, 2},   {FAULT_EXTENT, 3},
-                 {FAULT_START_SHIFT, 2}, {FAULT_START_WIDTH, 2},  {FAULT_SAMPLES, 2},     {FAULT_WALL, 5},
-                 {FAULT_CORNER, 4},      {FAULT_WALL_TIME, 1},    {FAULT_WALL_FROZEN, 1}, {FAULT_COEFFICIENT, 5},
-                 {FAULT_LAW, LAWS},      {FAULT_AXIS, 2},         {FAULT_RHO_C, 2}};
+    } kinds[] = {{FAULT_CLOCK, 1},
+                 {FAULT_CONDUCTIVITY, 1},
+                 {FAULT_SWAP, FAULT_PAIRS},
+                 {FAULT_TRANSPOSED, FAULT_PAIRS},
+                 {FAULT_SOURCE, 1},
+                 {FAULT_CAPACITY, 1},
+                 {FAULT_INTERFACE, 1},
+                 {FAULT_MEAN, 1},
+                 {FAULT_AMPLITUDE, 1},
+                 {FAULT_SOURCE_TIME, 1},
+                 {FAULT_FROZEN, 1},
+                 {FAULT_DIFFUSIVITY, 1},
+                 {FAULT_OFFSET, 1},
+                 {FAULT_NEAR_WALL, 1},
+                 {FAULT_ISOTROPIC, FAULT_OTHERS},
+                 {FAULT_EXTENT, FAULT_ALL_AXES + 1},
+                 {FAULT_START_SHIFT, DIM_MAX},
+                 {FAULT_START_WIDTH, DIM_MAX},
+                 {FAULT_SAMPLES, DIM_MAX},
+                 {FAULT_WALL, FAULT_ALL_SIDES + 1},
+                 {FAULT_CORNER, FAULT_CORNERS},
+                 {FAULT_WALL_TIME, 1},
+                 {FAULT_WALL_FROZEN, 1},
+                 {FAULT_COEFFICIENT, FAULT_ALL_SIDES + 1},
+                 {FAULT_LAW, LAWS},
+                 {FAULT_AXIS, DIM_MAX},
+                 {FAULT_RHO_C, 2}};
     int n = 0;
     struct faulty ignored;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -80,7 +101,7 @@ static int list_faults(const struct problem *p, struct fault *list) {
 /* Outward displacement, m, of the jumps of the initial data, if they are midway between the adjacent points along an
  * axis; 0 if they do not agree. */
 static double displacement(const struct problem *p, int axis, const struct diagnosis_rung *r) {
-    const double *x = axis ? r->field->y : r->field->x;
+    const double *const by_axis[DIM_MAX] = {r->field->x, r->field->y, r->field->z}, *x = by_axis[axis];
     double out = 0;
     for (int k = 0; k < p->jumps[axis]; k++) {
         double at = p->jump[axis][k], below = -INFINITY, above = INFINITY;
@@ -149,6 +170,7 @@ static struct diagnosis_rung sample(const struct diagnosis_rung *r, struct field
     for (size_t i = 0; i < n; i++) {
         f->x[i] = r->field->x[i * stride];
         if (f->y) f->y[i] = r->field->y[i * stride];
+        if (f->z) f->z[i] = r->field->z[i * stride];
         if (f->weight) f->weight[i] = r->field->weight[i * stride];
         f->T[i] = r->field->T[i * stride];
         exact[i] = r->exact[i * stride];
@@ -262,7 +284,7 @@ static int is_better(const struct candidate_fault *a, const struct candidate_fau
 unsigned diagnosis_sides(const struct problem *p, struct fault fault) {
     unsigned kinds = 0;
     for (int s = 0; s < 2 * p->dim; s++) {
-        int across = fault.kind == FAULT_EXTENT && (s / 2 == fault.axis || fault.axis == FAULT_BOTH_AXES);
+        int across = fault.kind == FAULT_EXTENT && (s / 2 == fault.axis || fault.axis >= FAULT_BOTH_AXES);
         int held =
             fault.kind == FAULT_WALL && (s == fault.axis || (fault.axis == FAULT_ALL_SIDES && p->side[s] == NEUMANN));
         if (across || held) kinds |= 1u << p->side[s];
@@ -369,11 +391,12 @@ double diagnosis_effect(const struct problem *p, const struct diagnosis *d, doub
     int failed = response_take(p, &l, fault, fault_bends(fault.kind) || fault.kind == FAULT_NEAR_WALL ? size : 0, &r);
     if (!failed) {
         struct field f;
-        size_t n = (size_t)(l.n[0] * l.n[1]);
+        size_t n = (size_t)(l.n[0] * l.n[1] * l.n[2]);
         field_alloc(&f, p->dim, n);
         for (size_t i = 0; i < n; i++) {
-            f.x[i] = p->lo[0] + ((double)(i % (size_t)l.n[0]) + 0.5) * l.dx;
-            if (f.y) f.y[i] = p->lo[1] + ((double)(i / (size_t)l.n[0]) + 0.5) * l.dx;
+            double *const x[DIM_MAX] = {&f.x[i], f.y ? &f.y[i] : NULL, f.z ? &f.z[i] : NULL};
+            for (int a = 0, rest = (int)i; a < p->dim; rest /= l.n[a++])
+                *x[a] = p->lo[a] + (rest % l.n[a] + 0.5) * l.dx;
         }
         response_at(&r, &l, &f, l.T, f.T);
         for (size_t i = 0; i < n; i++) sum += fabs(size * f.T[i]), whole += fabs(l.T[i] - zero);

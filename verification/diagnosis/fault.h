@@ -9,9 +9,9 @@
 enum fault_kind {
     FAULT_CLOCK,        /* s: the end time */
     FAULT_CONDUCTIVITY, /* relative: k of every material and axis */
-    FAULT_SWAP,         /* 1: k_x and k_y are exchanged */
-    FAULT_ISOTROPIC,    /* 1: along this axis the code uses the conductivity of the other */
-    FAULT_TRANSPOSED,   /* 1: x and y of the answer are exchanged, on a square */
+    FAULT_SWAP,         /* 1: the conductivities of two axes are exchanged */
+    FAULT_ISOTROPIC,    /* 1: along this axis the code uses the conductivity of another */
+    FAULT_TRANSPOSED,   /* 1: two axes of the answer are exchanged, which are of one extent */
     FAULT_SOURCE,       /* relative: the source; -1: missing */
     FAULT_SOURCE_TIME,  /* s: a time-dependent source is evaluated this much too late */
     FAULT_FROZEN,       /* 1: a time-dependent source keeps its initial value */
@@ -25,12 +25,12 @@ enum fault_kind {
     FAULT_COEFFICIENT,  /* relative: b of one cooled side or of all */
     FAULT_NEAR_WALL,    /* m: cooled sides exchange heat with the temperature at this distance inside (half a cell) */
     FAULT_WALL,         /* relative: the temperature or flux prescribed on a side; -1: zero */
-    FAULT_CORNER,       /* m: in the cell of a corner, of this size, Dirichlet sides are taken as zero */
-    FAULT_EXTENT,       /* m: both sides across an axis are displaced outwards by this */
-    FAULT_START_SHIFT,  /* m: the initial data are displaced by this along an axis */
-    FAULT_START_WIDTH,  /* m: either jump of the initial data is displaced outwards by this along an axis */
-    FAULT_SAMPLES,      /* 1: either jump is midway between the adjacent points along an axis, as if sampled there */
-    FAULT_INTERFACE,    /* m: the interface of two materials */
+    FAULT_CORNER, /* m: in the cell of a corner or along an edge, of this size, Dirichlet sides are taken as zero */
+    FAULT_EXTENT, /* m: both sides across an axis are displaced outwards by this */
+    FAULT_START_SHIFT, /* m: the initial data are displaced by this along an axis */
+    FAULT_START_WIDTH, /* m: either jump of the initial data is displaced outwards by this along an axis */
+    FAULT_SAMPLES,     /* 1: either jump is midway between the adjacent points along an axis, as if sampled there */
+    FAULT_INTERFACE,   /* m: the interface of two materials */
     FAULT_LAW,  /* 1: k(T) is taken at another temperature, or with the mean that locks a front (enum fault_law) */
     FAULT_MEAN, /* m: the arithmetic mean of two conductivities is used over a length (a cell) across their contact */
     FAULT_AMPLITUDE, /* relative: all temperatures */
@@ -44,14 +44,23 @@ enum fault_kind {
 
 struct fault {
     enum fault_kind kind;
-    int axis; /* 0 or 1.  FAULT_EXTENT: also both; FAULT_WALL and FAULT_COEFFICIENT: the side, or all sides of given
-                 flux and all cooled sides; FAULT_RHO_C: the material; FAULT_CORNER: 2 y + x, with 1 for the upper
-                 end; FAULT_ANY: rows that differ in it */
+    int axis; /* in the case.  FAULT_SWAP, FAULT_TRANSPOSED: fault_pair; FAULT_ISOTROPIC: fault_other; FAULT_EXTENT:
+                 also both of a plane or all of a box; FAULT_WALL and FAULT_COEFFICIENT: the side, or all sides of
+                 given flux and all cooled sides; FAULT_RHO_C: the material; FAULT_CORNER: 2 y + x of a plane, with 1
+                 for the upper end; 4 + 4 z + 2 y + x of a box; 12 + 4 c + bits of its edge along axis c; FAULT_ANY:
+                 rows that differ in it */
 };
 
 /* The axis of FAULT_LAW: k of the initial temperature, of k_ref, of a side, or harmonic means. */
 enum fault_law { LAW_START, LAW_REF, LAW_SIDE, LAW_HARMONIC = LAW_SIDE + 4, LAWS };
-enum { FAULT_BOTH_AXES = 2, FAULT_ALL_SIDES = 4, FAULT_ANY = -1 };
+enum { FAULT_BOTH_AXES = DIM_MAX, FAULT_ALL_AXES, FAULT_ALL_SIDES = SIDES, FAULT_ANY = -1 };
+enum { FAULT_PAIRS = 3, FAULT_OTHERS = 6, FAULT_CORNERS = 24 };
+
+/* The two axes of a pair, 0 of a plane, 0 to 2 of a box: x and y, y and z, x and z. */
+int fault_pair(int pair, int second);
+/* FAULT_ISOTROPIC: the axis that has the conductivity of another, and that one; 0 or 1 in a plane, 0 to 5 in a box.
+ */
+int fault_other(int axis, int other);
 
 /* A problem with a fault of one size.  `problem` points into this struct and must not be copied separately. */
 struct faulty {
@@ -59,7 +68,8 @@ struct faulty {
     const struct problem *right;
     struct fault fault;
     double size;
-    double stretch[2], centre[2]; /* x of the problem is centre + (x - centre)/stretch of the correct one */
+    double stretch[DIM_MAX],
+        centre[DIM_MAX]; /* x of the problem is centre + (x - centre)/stretch of the correct one */
 };
 
 /* Sets *f to *p with that fault and size.  Returns 1 if *p can have the fault. */

@@ -56,7 +56,7 @@ struct fit fit_fault(const struct fit_errors *s, const double *f) {
 struct fit_errors fit_errors(const struct problem *p, const struct response_lattice *l,
                              const struct diagnosis_rung *r) {
     const struct field *f = r->field;
-    struct fit_errors s = {.field = f, .is_mean = p->jumps[0] + p->jumps[1] == 0 && p->materials == 1};
+    struct fit_errors s = {.field = f, .is_mean = p->jumps[0] + p->jumps[1] + p->jumps[2] == 0 && p->materials == 1};
     double **const owned[] = {&s.e, &s.g, &s.h, &s.m};
     for (int k = 0; k < 4; k++) *owned[k] = xcalloc(f->n, sizeof(double));
     double *size = xcalloc(f->n, sizeof *size), dx2 = pow(r->dx / l->dx, 2);

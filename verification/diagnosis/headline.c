@@ -18,7 +18,8 @@ static int is_same(const struct diagnosis *a, const struct diagnosis *b) {
     const enum fault_kind kind = a->fault.kind;
     if (!a->named || !b->named || strcmp(a->unit, b->unit) != 0) return 0;
     if (kind != b->fault.kind && !(kind == FAULT_SOME_STEPS && b->fault.kind == FAULT_CLOCK)) return 0;
-    int has_axis = kind == FAULT_AXIS || kind == FAULT_ISOTROPIC || kind == FAULT_RHO_C;
+    int has_axis = kind == FAULT_AXIS || kind == FAULT_SWAP || kind == FAULT_TRANSPOSED || kind == FAULT_ISOTROPIC ||
+                   kind == FAULT_RHO_C;
     int no_size = *a->unit == '\0' || kind == FAULT_MEAN || kind == FAULT_NOISE || kind == FAULT_UNSTABLE;
     if (has_axis && a->fault.axis != b->fault.axis) return 0;
     return no_size || fabs(a->size - b->size) <= SAME * fmin(fabs(a->size), fabs(b->size));
@@ -72,7 +73,7 @@ int headline_contradicts(const struct headline *h, const struct problem *p, doub
     static const double SURE = 2; /* the rest of the error, up to a ceiling itself, may have the other sign */
     struct diagnosis d = h->fault;
     int other_mean = d.fault.kind == FAULT_MEAN && (d.fault.axis == FAULT_ANY || d.fault.axis == MEAN_IS_OTHER);
-    if (other_mean || (d.fault.axis == FAULT_ANY && p->dim == 2)) return 0; /* it may differ from row to row */
+    if (other_mean || (d.fault.axis == FAULT_ANY && p->dim > 1)) return 0; /* it may differ from row to row */
     if (d.fault.axis == FAULT_ANY) d.fault.axis = 0;
     int of_sides = d.fault.kind == FAULT_EXTENT || d.fault.kind == FAULT_WALL;
     if (of_sides && (!d.sides || d.sides & ~diagnosis_sides(p, d.fault))) return 0; /* walls of another kind */

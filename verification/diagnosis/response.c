@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Responses: the difference of two runs divided by the size of the fault, interpolated to the points by splines
- * (GSL: cubic; Steffen's for two materials, which does not overshoot at their interface).  Beyond the outermost cell
- * centres the interpolation is linear. */
+ * (GSL: cubic; Steffen's for two materials, which does not overshoot at their interface; in space by cubics through
+ * four points of each axis).  Beyond the outermost cell centres the interpolation on rods and in the plane is linear.
+ */
 #include "verification/diagnosis/response.h"
 
 #include "solver/method.h"
@@ -20,7 +21,7 @@ static int solve(const struct problem *p, double dx, double fourier, enum mean m
     struct failure ignored;
     struct options o = {.dx = dx,
                         .fourier = fourier,
-                        .sampling = p->jumps[0] + p->jumps[1] ? SAMPLING_CELL : SAMPLING_POINT,
+                        .sampling = p->jumps[0] + p->jumps[1] + p->jumps[2] ? SAMPLING_CELL : SAMPLING_POINT,
                         .mean = p->k_law && mean != MEAN_HARMONIC ? MEAN_KIRCHHOFF : mean,
                         .domain = DOMAIN_WHOLE};
     return method_solve(method_find("ftcs"), p, &o, f, &ignored);
@@ -43,16 +44,15 @@ static int fit(const struct problem *p, int n) {
 }
 
 int response_lattice_create(const struct problem *p, struct response_lattice *l) {
-    enum { LEAST = 64, MOST = 128 };
     const int coarse = p->k_law ? 2 : 1; /* the steps of k(T) take ten times as long */
-    int best = -1, n = 0;
-    for (int i = LEAST / coarse; i <= MOST / coarse; i++)
+    int best = -1, n = 0, least = p->dim == 3 ? 16 : 64, most = p->dim == 3 ? 40 : 128;
+    for (int i = least / coarse; i <= most / coarse; i++)
         if (fit(p, i) > best) best = fit(p, i), n = i;
     if (best < 0 || p->shape) return -1; /* rings do not form a lattice */
     struct field f;
     *l = (struct response_lattice){.dx = (p->hi[0] - p->lo[0]) / n};
     if (solve(p, l->dx, FOURIER, MEAN_SERIES, &f)) return -1;
-    memcpy(l->n, f.shape, sizeof l->n);
+    for (int a = 0; a < DIM_MAX; a++) l->n[a] = a < p->dim ? f.shape[a] : 1;
     l->T = f.T;
     f.T = NULL;
     field_free(&f);
@@ -62,7 +62,7 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
     }
     l->longer = f.T;
     f.T = NULL;
-    for (int i = 0; i < l->n[0] * l->n[1]; i++) l->longer[i] = (l->longer[i] - l->T[i]) / (2 * FOURIER);
+    for (int i = 0; i < l->n[0] * l->n[1] * l->n[2]; i++) l->longer[i] = (l->longer[i] - l->T[i]) / (2 * FOURIER);
     field_free(&f);
     return 0;
 }
@@ -103,6 +103,31 @@ static void in_plane(double *const x[2], const double *D, const int n[2], const 
     gsl_spline2d_free(spline);
 }
 
+/* Lagrange's cubic through four of the n equidistant x: the first of them, and their weights at `at`. */
+static int cubic_weights(const double *x, int n, double at, double w[4]) {
+    double place = (at - x[0]) / (x[1] - x[0]);
+    int first = (int)fmin(fmax(floor(place) - 1, 0), n - 4);
+    for (int k = 0; k < 4; k++) {
+        w[k] = 1;
+        for (int m = 0; m < 4; m++) w[k] *= m == k ? 1 : (place - first - m) / (k - m);
+    }
+    return first;
+}
+
+static void in_space(double *const x[], const double *D, const int n[], const struct field *f, double *out) {
+    for (size_t i = 0; i < f->n; i++) {
+        const double at[DIM_MAX] = {f->x[i], f->y[i], f->z[i]};
+        double w[DIM_MAX][4], sum = 0;
+        int first[DIM_MAX];
+        for (int a = 0; a < DIM_MAX; a++) first[a] = cubic_weights(x[a], n[a], at[a], w[a]);
+        for (int k = 0; k < 64; k++) {
+            int c = first[0] + k % 4 + n[0] * (first[1] + k / 4 % 4 + n[1] * (first[2] + k / 16));
+            sum += w[0][k % 4] * w[1][k / 4 % 4] * w[2][k / 16] * D[c];
+        }
+        out[i] = sum;
+    }
+}
+
 /* The cell centres along an axis, in the coordinates of the right problem; the caller frees them. */
 static double *centres(const struct faulty *f, const struct response_lattice *l, int axis) {
     double *x = xcalloc((size_t)l->n[axis], sizeof *x);
@@ -115,14 +140,16 @@ static double *centres(const struct faulty *f, const struct response_lattice *l,
 
 static void carry(const struct faulty *f, const struct response_lattice *l, const double *T, const struct field *to,
                   double *out) {
-    double *x[2] = {centres(f, l, 0), l->n[1] > 1 ? centres(f, l, 1) : NULL};
-    if (x[1])
+    double *x[DIM_MAX] = {NULL};
+    for (int a = 0; a < f->right->dim; a++) x[a] = centres(f, l, a);
+    if (x[2])
+        in_space(x, T, l->n, to, out);
+    else if (x[1])
         in_plane(x, T, l->n, to, out);
     else
         along_rod(f->right->materials == 2 ? gsl_interp_steffen : gsl_interp_cspline, x[0], T, (size_t)l->n[0], to,
                   out);
-    free(x[0]);
-    free(x[1]);
+    for (int a = 0; a < DIM_MAX; a++) free(x[a]);
 }
 
 void response_base(const struct problem *p, const struct response_lattice *l, const struct field *f, double *base,
@@ -136,13 +163,13 @@ void response_base(const struct problem *p, const struct response_lattice *l, co
 void response_laplacian(const struct problem *p, const struct response_lattice *l, const struct field *f,
                         double *out) {
     struct faulty none;
-    int n[2] = {l->n[0], l->n[1]};
-    double *D = xcalloc((size_t)(n[0] * n[1]), sizeof *D);
-    for (int c = 0; c < n[0] * n[1]; c++)
-        for (int a = 0, at[2] = {c % n[0], c / n[0]}, stride[2] = {1, n[0]}; a < p->dim; a++) {
-            int inner = at[a] < 1 ? 1 : at[a] > n[a] - 2 ? n[a] - 2 : at[a]; /* the value next to the wall */
-            const double *T = l->T + c + (inner - at[a]) * stride[a];
-            D[c] += (T[stride[a]] - 2 * *T + T[-stride[a]]) / (l->dx * l->dx);
+    const int *n = l->n, all = n[0] * n[1] * n[2];
+    double *D = xcalloc((size_t)all, sizeof *D);
+    for (int c = 0; c < all; c++)
+        for (int a = 0, stride = 1; a < p->dim; stride *= n[a++]) {
+            int at = c / stride % n[a], inner = at < 1 ? 1 : at > n[a] - 2 ? n[a] - 2 : at; /* next to the wall */
+            const double *T = l->T + c + (inner - at) * stride;
+            D[c] += (T[stride] - 2 * *T + T[-stride]) / (l->dx * l->dx);
         }
     fault_make(p, (struct fault){FAULT_AMPLITUDE, 0}, 0, &none);
     carry(&none, l, D, f, out);
@@ -170,14 +197,15 @@ void response_at(const struct response *r, const struct response_lattice *l, con
 
 int response_at_corner(const struct problem *p, double dx, struct fault fault, const struct field *f,
                        double *response) {
-    enum { MOST = 160 };
+    const int most = p->dim == 3 ? 48 : 160;
     struct faulty with;
     struct field right, faulty;
-    if ((p->hi[0] - p->lo[0]) / dx > MOST + 0.5 || !fault_make(p, fault, dx, &with)) return -1;
+    if ((p->hi[0] - p->lo[0]) / dx > most + 0.5 || !fault_make(p, fault, dx, &with)) return -1;
     if (solve(p, dx, 4 * FOURIER, MEAN_SERIES, &right)) return -1;
     int failed = solve(&with.problem, dx, 4 * FOURIER, MEAN_SERIES, &faulty);
     if (!failed) {
-        struct response_lattice l = {{right.shape[0], right.shape[1]}, dx, right.T, NULL};
+        struct response_lattice l = {
+            {right.shape[0], right.shape[1], p->dim == 3 ? right.shape[2] : 1}, dx, right.T, NULL};
         for (size_t i = 0; i < right.n; i++) right.T[i] = faulty.T[i] - right.T[i];
         carry(&with, &l, l.T, f, response);
         field_free(&faulty);

@@ -9,14 +9,14 @@
  * an error; no verdict depends on it. */
 
 struct response_lattice {
-    int n[2];       /* cells */
+    int n[DIM_MAX]; /* cells, 1 past dim */
     double dx;      /* m */
-    double *T;      /* K, n[0] n[1], for the problem without a fault; owned */
+    double *T;      /* K, n[0] n[1] n[2], for the problem without a fault; owned */
     double *longer; /* K: dT/dF for Euler steps, with the mesh Fourier number F; owned */
 };
 
-/* Finds the lattice of about 64 cells along x that fits the domain (and, if possible, the interface and jumps), and
- * solves for T.  Returns 0, or -1 if none fits. */
+/* Finds the lattice of about 64 cells along x (16 in space) that fits the domain (and, if possible, the interface and
+ * jumps), and solves for T.  Returns 0, or -1 if none fits. */
 int response_lattice_create(const struct problem *p, struct response_lattice *l);
 void response_lattice_free(struct response_lattice *l);
 
@@ -49,7 +49,7 @@ void response_at(const struct response *r, const struct response_lattice *l, con
 
 /* Sets response[f->n] to the response to FAULT_CORNER, K for a complete loss.  It is computed on a lattice of cells
  * of size dx, m, since the loss in the cell of a corner is not proportional to dx.  Returns 0, or -1 if *p cannot
- * have the fault or more than 160 cells along x would be needed. */
+ * have the fault or more than 160 cells along x (48 in space) would be needed. */
 int response_at_corner(const struct problem *p, double dx, struct fault fault, const struct field *f,
                        double *response);
 

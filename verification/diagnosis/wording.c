@@ -9,15 +9,28 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const axes[] = {"x", "y"};
-static const char *const across[] = {" across x", " across y", " across x and y"};
-static const char *const along[] = {" along x", " along y"};
+static const char *const axes[] = {"x", "y", "z"};
+static const char *const pairs[] = {"x and y", "y and z", "x and z"};
+static const char *const k_pairs[] = {"k_x and k_y", "k_y and k_z", "k_x and k_z"};
+static const char *const others[] = {"k_x were k_y", "k_y were k_x", "k_z were k_x",
+                                     "k_x were k_z", "k_y were k_z", "k_z were k_y"};
+static const char *const across[] = {" across x", " across y", " across z", " across x and y", " across x, y and z"};
+static const char *const along[] = {" along x", " along y", " along z"};
 static const char *const materials[] = {"first", "second"};
-static const char *const sides[] = {"side x_lo holds", "side x_hi holds", "side y_lo holds", "side y_hi holds",
+static const char *const sides[] = {"side x_lo holds",         "side x_hi holds", "side y_lo holds",
+                                    "side y_hi holds",         "side z_lo holds", "side z_hi holds",
                                     "sides of given flux hold"};
-static const char *const cooled[] = {" of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi", "s"};
-static const char *const corners[] = {"the corner x_lo, y_lo", "the corner x_hi, y_lo", "the corner x_lo, y_hi",
-                                      "the corner x_hi, y_hi"};
+static const char *const cooled[] = {
+    " of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi", " of side z_lo", " of side z_hi", "s"};
+static const char *const corners[] = {
+    "the corner x_lo, y_lo",       "the corner x_hi, y_lo",       "the corner x_lo, y_hi",
+    "the corner x_hi, y_hi",       "the corner x_lo, y_lo, z_lo", "the corner x_hi, y_lo, z_lo",
+    "the corner x_lo, y_hi, z_lo", "the corner x_hi, y_hi, z_lo", "the corner x_lo, y_lo, z_hi",
+    "the corner x_hi, y_lo, z_hi", "the corner x_lo, y_hi, z_hi", "the corner x_hi, y_hi, z_hi",
+    "the edge y_lo, z_lo",         "the edge y_hi, z_lo",         "the edge y_lo, z_hi",
+    "the edge y_hi, z_hi",         "the edge x_lo, z_lo",         "the edge x_hi, z_lo",
+    "the edge x_lo, z_hi",         "the edge x_hi, z_hi",         "the edge x_lo, y_lo",
+    "the edge x_hi, y_lo",         "the edge x_lo, y_hi",         "the edge x_hi, y_hi"};
 static const char *const laws[] = {"were that of the initial temperature",
                                    "were that of the reference temperature",
                                    "were that of side x_lo",
@@ -29,8 +42,7 @@ static const char *const means[] = {"the arithmetic mean", "the geometric mean",
                                     "another mean"};
 
 /* {size}: absolute value, in {unit} or as the text states.  {way}: `below` if the size is negative, `above`
- * otherwise; without these words "small" and "large".  {name}: the name of the fault's axis, `any` for FAULT_ANY;
- * {other}: the name of the other axis. */
+ * otherwise; without these words "small" and "large".  {name}: the name of the fault's axis, `any` for FAULT_ANY. */
 static const struct {
     const char *text;
     const char *const *names;
@@ -39,9 +51,9 @@ static const struct {
 } wordings[] = {
     [FAULT_CLOCK] = {"as if the run had stopped {size} {unit} {way}", NULL, NULL, "early", "late"},
     [FAULT_CONDUCTIVITY] = {.text = "as if the conductivity were {size} % too {way}"},
-    [FAULT_SWAP] = {.text = "as if k_x and k_y were in each other's place"},
-    [FAULT_ISOTROPIC] = {"as if k_{name} were k_{other}", axes, NULL, NULL, NULL},
-    [FAULT_TRANSPOSED] = {.text = "as if x and y were swapped"},
+    [FAULT_SWAP] = {"as if {name} were in each other's place", k_pairs, "two conductivities", NULL, NULL},
+    [FAULT_ISOTROPIC] = {"as if {name}", others, NULL, NULL, NULL},
+    [FAULT_TRANSPOSED] = {"as if {name} were swapped", pairs, "two axes", NULL, NULL},
     [FAULT_SOURCE] = {.text = "as if the source were {size} % too {way}"},
     [FAULT_SOURCE_TIME] = {"as if the source were that of {size} {unit} {way}", NULL, NULL, "earlier", "later"},
     [FAULT_FROZEN] = {.text = "as if the source kept its first value"},
@@ -116,7 +128,6 @@ void wording_fault(struct diagnosis *d) {
         if (strncmp(at, "{unit}", 6) == 0)
             part = strcmp(size, "1") == 0 && strcmp(d->unit, "steps") == 0 ? "step" : d->unit;
         if (strncmp(at, "{name}", 6) == 0) part = axis < 0 ? wordings[d->fault.kind].any : names[axis];
-        if (strncmp(at, "{other}", 7) == 0) part = names[1 - axis];
         if (strncmp(at, "{way}", 5) == 0) part = d->size < 0 ? (below ? below : "small") : above ? above : "large";
         words_add(d->what, sizeof d->what, "%s", part);
         if (*at == '{') at += strcspn(at, "}");
