@@ -129,7 +129,7 @@ static double source_rate(const struct problem *p, const double *x) {
 }
 
 static double source_at(const struct problem *p, const double *x, double t) {
-    double at[2];
+    double at[DIM_MAX];
     const struct faulty *f = faulty_at(p, x, at);
     double late = f->fault.kind == FAULT_SOURCE_TIME ? f->size : 0;
     double value = problem_source(f->right, at, f->fault.kind == FAULT_FROZEN ? 0 : t + late);
