@@ -302,8 +302,20 @@ static void rounded_coordinates_snap_to_walls(void **state) {
     }
 }
 
+static void points_have_their_coordinates(void **state) {
+    (void)state;
+    double x = 0.3, y = -0.7, z = 1.9, at[DIM_MAX];
+    struct samples s = {.dim = 3, .value = {&x, &y, &z}};
+    samples_point(&s, 0, at);
+    assert_true(at[0] == x && at[1] == y && at[2] == z);
+    s.dim = 2;
+    samples_point(&s, 0, at);
+    assert_true(at[1] == y && at[2] == 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_have_their_coordinates),
         cmocka_unit_test(table_dialects_read_the_same),
         cmocka_unit_test(tables_may_give_weights_and_cost),
         cmocka_unit_test(invalid_tables_name_line_and_column),

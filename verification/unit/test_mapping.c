@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The image of a scene obeys its own equation, in each of its axes; and the words that say which it is. */
+#include "references/kirchhoff.h"
 #include "references/mapping.h"
 #include "verification/foreign/case_file.h"
 #include "verification/oracle/columns.h"
@@ -222,11 +223,24 @@ static void case_file_uses_its_own_axes(void **state) {
     free(text);
 }
 
+static void k_of_an_image_is_that_of_the_scene(void **state) {
+    (void)state;
+    static const char *const name[] = {"front", "wall-kirchhoff", "plate-kirchhoff"};
+    for (int n = 0; n < 3; n++) {
+        struct problem of;
+        struct image image;
+        const struct mapping m = {.scale = 1.7, .offset = -2.3};
+        odd_find(name[n], &of);
+        mapping_image(&m, &of, &image);
+        for (double T = 0.3; T < 3; T += 0.7)
+            assert_near(kirchhoff_k(&image.problem, mapping_temperature(&m, T)), kirchhoff_k(&of, T), 1e-14);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(words_are_read_as_they_are_printed),
-        cmocka_unit_test(image_satisfies_its_equation),
-        cmocka_unit_test(case_file_uses_its_own_axes),
+        cmocka_unit_test(words_are_read_as_they_are_printed), cmocka_unit_test(image_satisfies_its_equation),
+        cmocka_unit_test(k_of_an_image_is_that_of_the_scene), cmocka_unit_test(case_file_uses_its_own_axes),
         cmocka_unit_test(maps_of_a_box_form_a_group),
     };
     gsl_set_error_handler_off();

@@ -3,6 +3,7 @@
 #include "references/kirchhoff.h"
 #include "solver/method.h"
 #include "solver/particles/conduction.h"
+#include "verification/unit/odd_problems.h"
 #include "verification/unit/odd_scenes.h"
 
 #include <string.h>
@@ -195,6 +196,46 @@ static void steppers_have_their_order(void **state) {
     }
 }
 
+static double harmonic_theta(const struct problem *p, const double *x) {
+    return conduction_T(p, 3 + x[0] * x[0] - x[1] * x[1] + 0.3 * x[0] * x[1] - 0.2 * x[1]);
+}
+
+static double harmonic_wall(const struct problem *p, enum side s, const double *x, double t) {
+    (void)s, (void)t;
+    return harmonic_theta(p, x);
+}
+
+/* so_ssph is exact for a quadratic theta, its ghosts beyond walls of varying temperature too. */
+static void quadratic_theta_is_steady(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = {.dx = 0.05};
+    p.k_law = K_LINEAR, p.k_0 = 1, p.k_beta = 0.3, p.k_ref = -0.2;
+    p.material[0].k[0] = p.material[0].k[1] = 2, p.source = NULL, p.t_end = 0.02;
+    for (int s = 0; s < 4; s++) p.side[s] = DIRICHLET;
+    p.initial = harmonic_theta, p.wall = harmonic_wall;
+    struct field f = solved("so_ssph", &p, &o);
+    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], p.initial(&p, (double[]){f.x[i], f.y[i]}), 1e-12);
+    field_free(&f);
+}
+
+static double hot_middle(const struct problem *p, const double *x) {
+    return p->k_ref + sin(acos(-1) * (x[0] - p->lo[0]) / (p->hi[0] - p->lo[0]));
+}
+
+/* k is 21 times as large in the middle as at the walls. */
+static void hot_middle_cools_without_growth(void **state) {
+    (void)state;
+    struct problem p = odd_rod();
+    struct options o = {.dx = (p.hi[0] - p.lo[0]) / 20, .stepper = STEPPER_EULER};
+    p.k_law = K_LINEAR, p.k_0 = p.material[0].k[0] / 21, p.k_beta = 20, p.k_ref = 1.3;
+    for (int s = 0; s < 2; s++) p.side[s] = DIRICHLET, p.held[s] = p.k_ref;
+    p.initial = hot_middle, p.wall = problem_held, p.source = NULL, p.t_end = 0.3;
+    struct field f = solved("so_ssph", &p, &o);
+    for (size_t i = 0; i < f.n; i++) assert_true(f.T[i] > p.k_ref && f.T[i] < p.k_ref + 1);
+    field_free(&f);
+}
+
 static void steps_follow_the_largest_k(void **state) {
     (void)state;
     struct problem p;
@@ -242,6 +283,8 @@ int main(void) {
         cmocka_unit_test(harmonic_means_lock_the_front),
         cmocka_unit_test(front_holds_the_heat_that_it_received),
         cmocka_unit_test(steppers_have_their_order),
+        cmocka_unit_test(quadratic_theta_is_steady),
+        cmocka_unit_test(hot_middle_cools_without_growth),
         cmocka_unit_test(steps_follow_the_largest_k),
         cmocka_unit_test(refusals_name_the_option),
     };

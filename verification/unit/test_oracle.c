@@ -112,6 +112,10 @@ static void wall_columns_give_kind_and_value(void **state) {
     values("wall,temperature", s, &p, (double[2]){0, 0}, NULL, 1, v);
     assert_true(v[0] == 1 && isnan(v[3]));
     assert_near(v[1], (0.31 + 1.19) / 2, 1e-16);
+    s = odd_find("cube-step", &p);
+    p.held[X_HI] = 0.3, p.held[Y_HI] = 0.7, p.held[Z_HI] = 1.1;
+    values("wall", s, &p, p.hi, NULL, 1, v);
+    assert_near(v[1], 0.7, 1e-15);
     s = odd_find("rod-contact", &p);
     values("wall", s, &p, (double[2]){p.hi[0], 0}, NULL, 1, v);
     assert_true(v[0] == 1 && v[1] == p.wall(&p, X_HI, (double[2]){p.hi[0], 0}, 0));
