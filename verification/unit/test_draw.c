@@ -110,6 +110,34 @@ static void all_symmetries_are_drawn(void **state) {
     }
 }
 
+/* Seeds draw most of the 48 maps of a box, and a crossed row has each axis of the other one at the next place. */
+static void seeds_draw_the_maps_of_a_box(void **state) {
+    (void)state;
+    char drawn[48][MAPPING_WORDS];
+    int maps = 0;
+    const struct battery_row *walls = NULL, *heat = NULL;
+    for (const struct battery_row *row = battery_table; row->orders; row++) {
+        if (strcmp(row->id, "space/walls") == 0) walls = row;
+        if (strcmp(row->id, "space/heat") == 0) heat = row;
+    }
+    assert_true(walls && heat);
+    for (unsigned long seed = 1; seed <= 200; seed++) {
+        struct command r[2];
+        char words[MAPPING_WORDS];
+        int k = 0;
+        parse(walls, seed, &r[0]);
+        parse(heat, seed, &r[1]);
+        const struct mapping *m = &r[0].experiment.program.map, *n = &r[1].experiment.program.map;
+        for (int a = 0; a < 3; a++) assert_true(n->from[a] == (m->from[a] + 1) % 3 && n->against[a] != m->against[a]);
+        mapping_print(m, words);
+        while (k < maps && strcmp(drawn[k], words) != 0) k++;
+        if (k == maps) strcpy(drawn[maps++], words);
+        command_free(&r[0]);
+        command_free(&r[1]);
+    }
+    assert_order(maps, >=, 44); /* 200 draws leave out 0.7 of 48 on average */
+}
+
 /* A drawn value replaces the written one, once; seed 0 draws nothing. */
 static void drawn_value_replaces_the_default(void **state) {
     (void)state;
@@ -214,6 +242,7 @@ int main(void) {
         cmocka_unit_test(every_draw_gives_fluxes_across_both_axes),
         cmocka_unit_test(fluxes_are_named_by_sides_of_the_case),
         cmocka_unit_test(both_axes_have_a_contact),
+        cmocka_unit_test(seeds_draw_the_maps_of_a_box),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
