@@ -69,7 +69,7 @@ static void cubic_heat_polynomials_are_exact(void **state) {
                 o.layout = layout ? LAYOUT_NODE : LAYOUT_LATTICE;
                 if (dim == 1) p.side[X_HI] = NEUMANN;
                 assert_near(off(p, o), 0, 1e-12);
-                p.jumps[0] = 1, p.jump[0][0] = (p.lo[0] + p.hi[0]) / 2; /* of size 0: rkl2 damps its first step */
+                p.jumps[0] = 1, p.jump[0][0] = (p.lo[0] + p.hi[0]) / 2; /* a jump without height: rkl2 damps */
                 assert_near(off(p, o), 0, 1e-12);
             }
 }
