@@ -75,7 +75,7 @@ int words_among(const char *blank_separated, const char *word) {
 }
 
 int words_unknown(const char *const *words, const char *what, const char *word, struct failure *why) {
-    char valid[320], hint[100] = "";
+    char valid[400], hint[100] = "";
     const char *nearest = words_nearest(words, word);
     words_join(words, valid, sizeof valid);
     if (!words[0]) return refuse(why, STATUS_INPUT, "unknown %s '%.60s'; there is none", what, word);
