@@ -147,13 +147,13 @@ static void reserve(struct polar *g) {
     for (int k = 0; k < 2; k++) g->beside[k] = xcalloc(lines, sizeof(double));
     g->heating = xcalloc(cells(g), sizeof(double));
     g->T = xcalloc(cells(g), sizeof(double));
-    if (g->dim == 3) g->modes = ftcs_polar_modes(g);
+    if (g->dim == 3) g->modes = ftcs_polar_step_modes(g);
 }
 
 static void polar_free(struct polar *g) {
     double *all[] = {g->in,  g->out, g->lower,     g->upper,     g->around,  g->z, g->scale,
                      g->row, g->sum, g->beside[0], g->beside[1], g->heating, g->T};
-    ftcs_polar_modes_free(g->modes);
+    ftcs_polar_step_modes_free(g->modes);
     for (size_t k = 0; k < sizeof all / sizeof *all; k++) free(all[k]);
 }
 
@@ -162,7 +162,7 @@ static void polar_free(struct polar *g) {
 static void fill(struct polar *g, const struct problem *p) {
     double source = 0;
     g->lowest = INFINITY, g->highest = -INFINITY;
-    ftcs_polar_factors(g);
+    ftcs_polar_step_factors(g);
     for (int j = 0; j < g->rays * g->bands; j++)
         for (int i = 0; i < g->rings; i++) {
             double x[DIM_MAX];

@@ -34,11 +34,11 @@ double ftcs_polar_face(const struct polar *g, double r);
 double ftcs_polar_wedge(const struct polar *g, int ring);
 
 /* Conductances (0 to a wall) and the rates or roots of the implicit part. */
-void ftcs_polar_factors(struct polar *g);
+void ftcs_polar_step_factors(struct polar *g);
 
-/* Transforms of T in a ball; freed by ftcs_polar_modes_free, which takes NULL. */
-struct polar_modes *ftcs_polar_modes(const struct polar *g);
-void ftcs_polar_modes_free(struct polar_modes *m);
+/* Transforms of T in a ball; freed by ftcs_polar_step_modes_free, which takes NULL. */
+struct polar_modes *ftcs_polar_step_modes(const struct polar *g);
+void ftcs_polar_step_modes_free(struct polar_modes *m);
 
 /* One step of dt. */
 void ftcs_polar_step(struct polar *g);

@@ -43,7 +43,7 @@ static void angles_make(struct polar *g, int ring, int band) {
     g->scale[at] = rest * rest;
 }
 
-void ftcs_polar_factors(struct polar *g) {
+void ftcs_polar_step_factors(struct polar *g) {
     for (int i = 0; i < g->rings; i++) {
         double r = ftcs_polar_radius(g, i), rate = g->kappa / (ftcs_polar_wedge(g, i) * g->dr);
         g->in[i] = i > 0 ? rate * ftcs_polar_face(g, r - g->dr / 2) : 0;
@@ -58,7 +58,7 @@ struct polar_modes {
     fftw_plan to, from;
 };
 
-struct polar_modes *ftcs_polar_modes(const struct polar *g) {
+struct polar_modes *ftcs_polar_step_modes(const struct polar *g) {
     const int sheet = g->rings * g->bands;
     const fftw_r2r_kind kind[2] = {FFTW_R2HC, FFTW_HC2R};
     fftw_plan plan[2];
@@ -71,7 +71,7 @@ struct polar_modes *ftcs_polar_modes(const struct polar *g) {
     return m;
 }
 
-void ftcs_polar_modes_free(struct polar_modes *m) {
+void ftcs_polar_step_modes_free(struct polar_modes *m) {
     if (!m) return;
 #pragma omp critical(fftw_planner)
     {

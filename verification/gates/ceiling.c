@@ -20,7 +20,7 @@ static double diffusivity(const struct experiment *e, double x) {
 }
 
 double ceiling_pair(const struct experiment *e, double r) {
-    struct ceiling_lattice_case c = ceiling_lattice_case(e);
+    struct ceiling_weights_case c = ceiling_weights_case(e);
     return ceiling_weights_radial(&c, r);
 }
 
@@ -39,7 +39,7 @@ static void ghost_moments(const struct ceiling_weights *s, double ratio, double 
 
 struct ceiling_symbol ceiling_symbol(const struct experiment *e) {
     enum { REACH = CEILING_WEIGHTS_REACH, WIDE = CEILING_WEIGHTS_WIDE };
-    struct ceiling_lattice_case c = ceiling_lattice_case(e);
+    struct ceiling_weights_case c = ceiling_weights_case(e);
     struct ceiling_weights s;
     struct ceiling_symbol symbol = {.h = c.h};
     ceiling_weights_of(&c, &s, &symbol.blind);
@@ -294,7 +294,7 @@ double ceiling_matched_rest(double A, double rt) {
 /* sum w (u . x)^6/720 of the direction u for which it differs most from K. */
 static double sixth_in_space(const struct experiment *e, double K) {
     enum { TURNS = 12, REACH = CEILING_WEIGHTS_REACH };
-    struct ceiling_lattice_case c = ceiling_lattice_case(e);
+    struct ceiling_weights_case c = ceiling_weights_case(e);
     struct ceiling_weights w;
     double blind, most = K;
     ceiling_weights_of(&c, &w, &blind);

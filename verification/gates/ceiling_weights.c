@@ -54,7 +54,7 @@ static enum ceiling_family family_of(const char *method) {
     return PAIRS;
 }
 
-double ceiling_weights_radial(const struct ceiling_lattice_case *c, double r) {
+double ceiling_weights_radial(const struct ceiling_weights_case *c, double r) {
     double s = r / c->h;
     if (r == 0 || s >= KERNEL_SUPPORT) return 0;
     double slope = kernel_slope(c->kernel, c->dim, s);
@@ -71,7 +71,7 @@ double ceiling_weights_radial(const struct ceiling_lattice_case *c, double r) {
 }
 
 /* sum_a ratio_a d2/dx_a2 of the best-fitting polynomial of degree `order`; odd monomials drop out by symmetry. */
-static void least_squares(const struct ceiling_lattice_case *c, struct ceiling_weights *s) {
+static void least_squares(const struct ceiling_weights_case *c, struct ceiling_weights *s) {
     static const int powers[MONOMIALS][DIM_MAX] = {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {4, 0, 0}, {0, 4, 0},
                                                    {0, 0, 4}, {2, 2, 0}, {2, 0, 2}, {0, 2, 2}};
     const int *use[MONOMIALS];
@@ -105,7 +105,7 @@ static void least_squares(const struct ceiling_lattice_case *c, struct ceiling_w
 }
 
 /* The derivative along x, sum w x = 1, applied twice, and its images along the other axes times their ratios. */
-static void apply_twice(const struct ceiling_lattice_case *c, struct ceiling_weights *s, double *blind) {
+static void apply_twice(const struct ceiling_weights_case *c, struct ceiling_weights *s, double *blind) {
     struct ceiling_weights D = *s, one = {.dim = c->dim};
     double sum = ceiling_weights_moment(s, 2, 0, 0), across = 0;
     OFFSETS(c->dim, NEAR, i, j, k) {
@@ -126,7 +126,7 @@ static void apply_twice(const struct ceiling_lattice_case *c, struct ceiling_wei
     }
 }
 
-void ceiling_weights_of(const struct ceiling_lattice_case *c, struct ceiling_weights *s, double *blind) {
+void ceiling_weights_of(const struct ceiling_weights_case *c, struct ceiling_weights *s, double *blind) {
     int step = c->family == DIFFERENCE_TWICE ? 2 : 1;
     *blind = c->family == DIFFERENCE_TWICE;
     *s = (struct ceiling_weights){.dim = c->dim, .reach = NEAR};
@@ -154,7 +154,7 @@ void ceiling_weights_of(const struct ceiling_lattice_case *c, struct ceiling_wei
 }
 
 /* B - 2 A */
-static double anisotropy(struct ceiling_lattice_case *c, double h) {
+static double anisotropy(struct ceiling_weights_case *c, double h) {
     struct ceiling_weights s;
     double blind;
     c->h = h;
@@ -163,7 +163,7 @@ static double anisotropy(struct ceiling_lattice_case *c, double h) {
 }
 
 /* --h iso: the root of B = 2 A nearest to 1.2 in the plane, to 1 in space. */
-static double isotropic_h(struct ceiling_lattice_case *c) {
+static double isotropic_h(struct ceiling_weights_case *c) {
     static const double step = 1.0 / 64;
     const double middle = c->dim == 3 ? 1 : 1.2;
     for (int k = 0; k < 100; k++)
@@ -179,12 +179,12 @@ static double isotropic_h(struct ceiling_lattice_case *c) {
     return NAN;
 }
 
-struct ceiling_lattice_case ceiling_lattice_case(const struct experiment *e) {
+struct ceiling_weights_case ceiling_weights_case(const struct experiment *e) {
     const struct problem *p = &e->problem;
     const struct options *o = &e->options;
     struct options resolved = *o;
     struct failure ignored;
-    struct ceiling_lattice_case c = {.family = family_of(e->method->name), .kernel = o->kernel, .dim = p->dim};
+    struct ceiling_weights_case c = {.family = family_of(e->method->name), .kernel = o->kernel, .dim = p->dim};
     for (int a = 0; a < DIM_MAX; a++)
         c.ratio[a] = a < p->dim && !options_is_matched(o) ? p->material[0].k[a] / p->material[0].k[0] : 1;
     c.order = o->order > 2 ? o->order : 2;

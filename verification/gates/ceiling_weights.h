@@ -15,7 +15,7 @@ struct ceiling_weights {
 
 enum ceiling_family { LEAST_SQUARES, PAIRS, CURVATURE, TWICE_VALUE, TWICE_SLOPE, DIFFERENCE, DIFFERENCE_TWICE };
 
-struct ceiling_lattice_case {
+struct ceiling_weights_case {
     enum ceiling_family family;
     enum kernel_name kernel;
     int dim, order;
@@ -24,16 +24,16 @@ struct ceiling_lattice_case {
     double eta;            /* eta in -W' r/(r^2 + eta^2), in units of dx */
 };
 
-struct ceiling_lattice_case ceiling_lattice_case(const struct experiment *e);
+struct ceiling_weights_case ceiling_weights_case(const struct experiment *e);
 
 /* The weights in units of kappa_x; *blind: diffusivity of the envelope of (-1)^i over kappa for first derivatives
  * applied twice, else 0. */
-void ceiling_weights_of(const struct ceiling_lattice_case *c, struct ceiling_weights *s, double *blind);
+void ceiling_weights_of(const struct ceiling_weights_case *c, struct ceiling_weights *s, double *blind);
 
 /* sum w x^a y^b z^c */
 double ceiling_weights_moment(const struct ceiling_weights *s, int a, int b, int c);
 
 /* The weight of a pair at distance r, up to a factor. */
-double ceiling_weights_radial(const struct ceiling_lattice_case *c, double r);
+double ceiling_weights_radial(const struct ceiling_weights_case *c, double r);
 
 #endif

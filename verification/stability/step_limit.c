@@ -72,7 +72,7 @@ int step_limit_setup(const struct method *m, const struct options *o, int dim, d
 /* Song eqs. 34 and 41 for one particle; keeps the smallest bound. */
 static int song_bound(const struct model_problem *b, const struct neighbourhood *nb, void *strictest,
                       struct failure *why) {
-    static _Thread_local double w[DIM_MAX][NEIGHBOURS_MAX];
+    double w[DIM_MAX][NEIGHBOURS_MAX];
     double *out[DIM_MAX] = {w[0], w[1], w[2]}, squares = 0, own = 0, *least = strictest;
     int sweeps = b->method->scheme->sweeps;
     struct problem p = model_problem_setup(b, MODEL_NOISE, 0);

@@ -110,7 +110,7 @@ static fftw_complex *transform(const struct symbol *s, size_t *count) {
     fftw_plan plan;
 #pragma omp critical(fftw_planner)
     plan = fftw_plan_dft(s->dim, sizes, z, z, FFTW_BACKWARD, FFTW_ESTIMATE);
-    memset(z, 0, sizeof *z * *count);
+    for (size_t i = 0; i < *count; i++) z[i] = 0;
     OFFSETS(s, i, j, k) z[(wrapped(k, n) * n + wrapped(j, n)) * n + wrapped(i, n)] += s->w[place(s, i, j, k)];
     fftw_execute(plan);
 #pragma omp critical(fftw_planner)

@@ -118,7 +118,8 @@ static double heated_error(const char *line, int a) {
 
 static void source_along_any_axis_is_of_fourth_order(void **state) {
     (void)state;
-#define HEATED "run box-cosine so_ssph --stepper matched --h iso --t-end 8 --set kappa_y=0.01 --set kappa_z=0.01 --dx "
+#define HEATED                                                                                                       \
+    "run box-cosine so_ssph --stepper matched --h iso --t-end 8 --set kappa_y=0.01 --set kappa_z=0.01 --dx "
     for (int a = 0; a < DIM_MAX; a++)
         assert_near(log2(heated_error(HEATED "0.1", a) / heated_error(HEATED "0.05", a)), 4, 0.1);
 }

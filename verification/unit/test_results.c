@@ -231,12 +231,9 @@ static void vary_sets_a_parameter_of_the_program(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(judging_later_gives_the_same_verdicts),
-        cmocka_unit_test(missing_answers_are_listed),
-        cmocka_unit_test(cases_are_added_without_replacing_others),
-        cmocka_unit_test(a_second_spacing_is_kept),
-        cmocka_unit_test(spacings_are_along_the_axes_of_the_case),
-        cmocka_unit_test(draws_are_judged_later),
+        cmocka_unit_test(judging_later_gives_the_same_verdicts),    cmocka_unit_test(missing_answers_are_listed),
+        cmocka_unit_test(cases_are_added_without_replacing_others), cmocka_unit_test(a_second_spacing_is_kept),
+        cmocka_unit_test(spacings_are_along_the_axes_of_the_case),  cmocka_unit_test(draws_are_judged_later),
         cmocka_unit_test(vary_sets_a_parameter_of_the_program),
     };
     char command[UNIT_PATH + 32];
