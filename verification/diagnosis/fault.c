@@ -83,7 +83,8 @@ static double wall_time(const struct faulty *f, double t) {
 static double wall(const struct problem *p, enum side s, const double *x, double t) {
     double at[DIM_MAX];
     const struct faulty *f = faulty_at(p, x, at);
-    if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, exchanged_side(f->fault.axis, s), at, t);
+    if (f->fault.kind == FAULT_TRANSPOSED)
+        return f->right->wall(f->right, exchanged_side(f->fault.axis, (int)s), at, t);
     return wall_value(f, s, f->right->wall(f->right, s, at, wall_time(f, t)), 0);
 }
 
@@ -91,7 +92,7 @@ static double wall_rate(const struct problem *p, enum side s, const double *x, d
     double at[DIM_MAX];
     const struct faulty *f = faulty_at(p, x, at);
     if (f->fault.kind == FAULT_TRANSPOSED)
-        return f->right->wall_rate(f->right, exchanged_side(f->fault.axis, s), at, t);
+        return f->right->wall_rate(f->right, exchanged_side(f->fault.axis, (int)s), at, t);
     return wall_value(f, s, f->right->wall_rate(f->right, s, at, wall_time(f, t)), 1);
 }
 
