@@ -142,7 +142,7 @@ static double variation(const struct field *f) {
     double sum = 0;
     size_t stride = 1;
     for (int a = 0; a < f->dim; a++) {
-        size_t block = stride * (size_t)f->shape[a];
+        size_t block = f->dim == 1 ? f->n : stride * (size_t)f->shape[a]; /* walls may cut a rod */
         double along = 0, across = 1;
         for (size_t first = 0; first < f->n; first += block)
             for (size_t i = first; i + stride < first + block; i++) along += fabs(f->T[i + stride] - f->T[i]);

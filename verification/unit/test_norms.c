@@ -254,7 +254,7 @@ static void checkerboard_amplitude_in_the_plane(void **state) {
     double exact[70] = {0};
     for (int i = 0; i < 70; i++) f.T[i] = -0.41 * sin(pi * 2 * (i % 7 + 0.5) / 7) * cos(pi * 9 * (i / 7 + 0.5) / 10);
     assert_near(checkerboard_amplitude(&p, &f, exact), 0.41, 1e-14); /* short along y alone */
-    static const int too_few[][2] = {{0, 0}, {70, 1}, {1, 70}};
+    static const int too_few[][DIM_MAX] = {{0, 0, 0}, {70, 1, 1}, {1, 70, 1}};
     for (int k = 0; k < 3; k++) {
         memcpy(f.shape, too_few[k], sizeof f.shape);
         assert_nan(checkerboard_amplitude(&p, &f, exact));
