@@ -13,7 +13,8 @@
 static int round_is_rough(const struct problem *p) {
     enum { PLACES = 64 };
     for (int k = 0; k < 2 * PLACES; k++) {
-        double angle = 2 * M_PI * k / PLACES, direction[2] = {cos(angle), sin(angle)};
+        double angle = 2 * M_PI * k / PLACES,
+               direction[DIM_MAX] = {cos(angle), sin(angle), p->dim == 3 ? cos(5 * angle) : 0};
         int s = k % 2;
         if (!shape_has_wall(p, s) || p->side[s] != DIRICHLET) continue;
         struct foot f = shape_foot(p, s, direction);
