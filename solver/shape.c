@@ -123,6 +123,11 @@ int shape_has_wall(const struct problem *p, int s) {
     return s < 2 * p->dim && p->side[s] != PERIODIC;
 }
 
+static double wall_depth(const struct problem *p, int s, const double *x) {
+    if (p->shape) return p->shape->foot(p, (enum side)s, x).depth;
+    return s % 2 ? p->hi[s / 2] - x[s / 2] : x[s / 2] - p->lo[s / 2];
+}
+
 struct foot shape_foot(const struct problem *p, int s, const double *x) {
     if (p->shape) return p->shape->foot(p, (enum side)s, x);
     int a = s / 2, out = s % 2 ? 1 : -1;
@@ -130,7 +135,7 @@ struct foot shape_foot(const struct problem *p, int s, const double *x) {
     for (int b = 0; b < p->dim; b++) f.x[b] = x[b];
     f.x[a] = s % 2 ? p->hi[a] : p->lo[a];
     f.normal[a] = out;
-    f.depth = out * (f.x[a] - x[a]);
+    f.depth = wall_depth(p, s, x);
     return f;
 }
 
@@ -146,8 +151,12 @@ struct foot shape_nearest(const struct problem *p, const double *x, int *s) {
 }
 
 double shape_depth(const struct problem *p, const double *x) {
-    int s;
-    return shape_nearest(p, x, &s).depth;
+    double least = INFINITY;
+    for (int k = 0; k < 2 * p->dim; k++) {
+        double depth = shape_has_wall(p, k) ? wall_depth(p, k, x) : INFINITY;
+        if (depth < least) least = depth;
+    }
+    return least;
 }
 
 double shape_clipped(const struct problem *p, const double *lo, const double *hi) {

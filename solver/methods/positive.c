@@ -156,7 +156,6 @@ static int weights(const struct problem *p, const struct options *o, const struc
     (void)p;
     char place[PLACE_TEXT];
     struct programme lp;
-    problem_place(nb->dim, nb->x, place);
     fill(nb, o->kernel, &lp);
     int stuck = minimise(&lp, 1);
     if (stuck || unmet(&lp) > 1e-9)
@@ -164,9 +163,10 @@ static int weights(const struct problem *p, const struct options *o, const struc
                       "no weights >= 0 are exact for quadratics: particle %zu at %s has %zu neighbours, "
                       "and %.2g of the second moments cannot be met; use a larger --h (a neighbour in each "
                       "sector of 45 degrees about it is enough) or less --jitter",
-                      nb->i, place, nb->n, unmet(&lp));
+                      nb->i, problem_place(nb->dim, nb->x, place), nb->n, unmet(&lp));
     if (minimise(&lp, 2))
-        return refuse(why, STATUS_NUMERICAL, "particle %zu at %s: its linear programme does not end", nb->i, place);
+        return refuse(why, STATUS_NUMERICAL, "particle %zu at %s: its linear programme does not end", nb->i,
+                      problem_place(nb->dim, nb->x, place));
     take_weights(&lp, w[0]);
     return STATUS_OK;
 }
