@@ -28,7 +28,7 @@ struct point {
 };
 
 static int dim = 1, n[2] = {1, 1};
-static int walls_change;
+static int data_change; /* source or walls, with time */
 static double lo[2], hi[2] = {0, 1}, width[2], t_end;
 static char oracle[2048];
 
@@ -75,9 +75,7 @@ static void read_case(const char *path) {
         if (dim == 3) exit(NOT_APPLICABLE);
     }
     fclose(f);
-    /* The integrator takes times of its own: walls come from a table, sources from none. */
-    if (strcmp(source, "changing") == 0) exit(NOT_APPLICABLE);
-    walls_change = strcmp(walls, "changing") == 0;
+    data_change = strcmp(source, "changing") == 0 || strcmp(walls, "changing") == 0;
     for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
 
@@ -94,13 +92,11 @@ static int is_cell(int c) {
     return !on_wall(c, 0) && !on_wall(c, 1);
 }
 
-/* frame: 1 for those on the sides alone. */
-static void write_points(const char *path, int frame) {
+static void write_points(const char *path) {
     FILE *f = need(fopen(path, "w"), "the points cannot be written");
     fprintf(f, "x,y,dx,dy\n");
     for (int c = 0; c < points; c++)
-        if (!frame || !is_cell(c))
-            fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", point[c].x[0], point[c].x[1], width[0], width[1]);
+        fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", point[c].x[0], point[c].x[1], width[0], width[1]);
     if (fclose(f)) stop("the points cannot be written");
 }
 
@@ -114,7 +110,7 @@ static void make_points(const char *path) {
             double middle = lo[d] + (place(c, d) - 0.5) * width[d];
             point[c].x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame is on the sides */
         }
-    write_points(path, 0);
+    write_points(path);
 }
 
 static double next_number(FILE *answers) {
@@ -152,37 +148,36 @@ static void ask_scene(const char *path, double *T) {
     if (pclose(answers)) stop("heatladder reference failed");
 }
 
-/* Walls that change in time, at equal steps from 0 to the end: [time][point][axis]. */
-enum { TIMES = 129 };
+/* Data that change in time, at equal steps from 0 to the end: [time][point][source and the walls]. */
+enum { TIMES = 129, COLUMNS = 3 };
 static double *table;
 
-static void ask_walls(const char *path) {
+static void ask_table(const char *path) {
     char times[64];
-    table = need(calloc((size_t)TIMES * (size_t)points * 2, sizeof *table), "out of memory");
-    write_points(path, 1);
+    table = need(calloc((size_t)TIMES * (size_t)points * COLUMNS, sizeof *table), "out of memory");
     snprintf(times, sizeof times, "0:%.17g:%d", t_end, TIMES);
-    FILE *answers = ask(path, times, dim == 2 ? "wall_x,wall_y" : "wall_x");
-    for (int c = 0; c < TIMES * points; c++) {
-        if (is_cell(c % points)) continue;
-        for (int d = 0; d < 1 + dim; d++) next_number(answers); /* the point and the time */
+    FILE *answers = ask(path, times, dim == 2 ? "source,wall_x,wall_y" : "source,wall_x");
+    for (double *row = table; row < table + TIMES * points * COLUMNS; row += COLUMNS) {
+        for (int d = 0; d < 1 + dim; d++) next_number(answers); /* the time and the point */
+        row[0] = next_number(answers);
         for (int d = 0; d < dim; d++) {
             next_number(answers);
-            table[2 * c + d] = next_number(answers);
+            row[1 + d] = next_number(answers);
             next_number(answers);
         }
     }
     if (pclose(answers)) stop("heatladder reference failed");
 }
 
-/* The cubic through four of the times around `now`. */
-static double wall_at(int c, int d, double now) {
+/* The cubic through four of the times around `now`; the integrator chooses its times itself. */
+static double changing(int c, int column, double now) {
     double place = now / t_end * (TIMES - 1), sum = 0;
     int first = (int)fmin(fmax(floor(place) - 1, 0), TIMES - 4);
     for (int i = first; i < first + 4; i++) {
         double weight = 1;
         for (int j = first; j < first + 4; j++)
             if (j != i) weight *= (place - j) / (i - j);
-        sum += weight * table[2 * (i * points + c) + d];
+        sum += weight * table[COLUMNS * (i * points + c) + column];
     }
     return sum;
 }
@@ -225,14 +220,17 @@ static void set_conductances(const double *T) {
         }
 }
 
-/* Sets the walls at the time `now`: temperatures in `held`, and the heat of given fluxes. */
-static void set_walls(double now) {
-    for (int c = 0; c < points; c++) point[c].flux = 0;
+/* Sets the data at the time `now`: sources, held temperatures, and the heat of given fluxes. */
+static void set_data(double now) {
+    for (int c = 0; c < points; c++) {
+        point[c].flux = 0;
+        if (data_change) point[c].source = changing(c, 0, now);
+    }
     for (int c = 0; c < points; c++)
         for (int d = 0; d < dim; d++) {
             int inside = place(c, d) < 1 ? c + stride[d] : c - stride[d];
             if (!on_wall(c, d) || on_wall(c, !d)) continue;
-            held[c] = walls_change ? wall_at(c, d, now) : point[c].axis[d].value;
+            held[c] = data_change ? changing(c, 1 + d, now) : point[c].axis[d].value;
             if (point[c].axis[d].kind == FLUX) point[inside].flux += held[c] / width[d];
         }
 }
@@ -241,7 +239,7 @@ static int rhs(double now, N_Vector state, N_Vector derivative, void *user) {
     const double *T = N_VGetArrayPointer(state);
     double *dT_dt = N_VGetArrayPointer(derivative);
     (void)user;
-    if (walls_change) set_walls(now);
+    if (data_change) set_data(now);
     if (*k_law) set_conductances(T);
     for (int c = 0; c < points; c++) {
         dT_dt[c] = 0;
@@ -284,7 +282,7 @@ static void write_answer(const char *path, const double *T) {
 }
 
 int main(int argc, char **argv) {
-    char path[4096], frame[4096];
+    char path[4096];
     SUNContext sun;
     if (argc != 3) stop("two arguments are needed: CASE OUT");
     snprintf(path, sizeof path, "%s.points", argv[2]);
@@ -294,10 +292,9 @@ int main(int argc, char **argv) {
     N_Vector state = need(N_VNew_Serial(points, sun), "N_VNew_Serial failed");
     double *T = N_VGetArrayPointer(state);
     ask_scene(path, T);
-    snprintf(frame, sizeof frame, "%s.frame", argv[2]);
-    if (walls_change) ask_walls(frame);
+    if (data_change) ask_table(path);
     make_faces();
-    set_walls(0);
+    set_data(0);
     integrate(state, sun);
     write_answer(argv[2], T);
     return 0;
