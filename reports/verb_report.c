@@ -11,6 +11,7 @@
 #include "reports/pamplona/pamplona.h"
 #include "reports/papers.h"
 #include "reports/song/song.h"
+#include "reports/space/space_study.h"
 #include "reports/stability/stability.h"
 #include "reports/walls/walls_study.h"
 #include "solver/status.h"
@@ -28,7 +29,7 @@ static int write_page(const char *dir, struct failure *why) {
     return STATUS_OK;
 }
 
-/* By default: the papers' tables and figures, and the matched run. */
+/* By default: the papers' tables and figures, the matched run and the jump in space. */
 static const struct study {
     const char *name;
     int (*write)(const char *dir, struct failure *why);
@@ -38,14 +39,15 @@ static const struct study {
     {"song", song_write, "Song 2018", "song_table1.md"},
     {"pamplona", pamplona_write, "Pamplona 2019", "pamplona_table1.md"},
     {"matched", matched_figures_write, "the matched run", "matched_fig1.csv"},
+    {"space", space_study_write, "the jump in space", "space_fig1.csv"},
     {"operators", operators_write, NULL, NULL},
     {"stability", stability_write, NULL, NULL},
     {"walls", walls_study_write, NULL, NULL},
     {"front", front_study_write, NULL, NULL},
     {"page", write_page, NULL, NULL},
 };
-static const char *const names[] = {"song",  "pamplona", "matched", "operators", "stability",
-                                    "walls", "front",    "claims",  "page",      NULL};
+static const char *const names[] = {"song",  "pamplona", "matched", "space", "operators", "stability",
+                                    "walls", "front",    "claims",  "page",  NULL};
 
 static int write_study(const struct study *s, const char *dir, struct failure *why) {
     double start = omp_get_wtime();
@@ -114,7 +116,7 @@ static const struct option own[] = {{"only", "GLOB[,GLOB...]", "claims: only nam
                                     {0}};
 
 static const struct command_syntax syntax = {
-    "report", "[song|pamplona|matched|operators|stability|walls|claims|page] [DIR]", "", "", NULL};
+    "report", "[song|pamplona|matched|space|operators|stability|walls|front|claims|page] [DIR]", "", "", NULL};
 
 const struct verb verb_report = {
     &syntax, own, sizeof(struct report_options),

@@ -66,6 +66,8 @@ static const struct part {
     {"The matched run", "matched_fig1.svg", 0,
      "Error against counted work on the square: as published, and with matched step, start and smoothing length",
      "make report"},
+    {"In space", "space_fig1.svg", 0, "A jump in three dimensions: a slice of the error, and error against spacing",
+     "make report"},
     {"Statements of the papers", "claims/claims.html", 1, "Each statement with its measurement", "make claims"},
 };
 enum { PARTS = sizeof parts / sizeof *parts };

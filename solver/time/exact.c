@@ -7,12 +7,15 @@
  *     T^(t) = exp(lambda t) T^(0) + t phi(lambda t) g^,   phi(z) = (exp(z) - 1) / z,
  *     lambda = sum_ijk w_ijk cos(i theta_x) cos(j theta_y) cos(k theta_z).
  *
- * In the plane two properties reduce the work below that of two full transforms:
- *   - If elimination shows that the data are a sum of R products X(x) Y(y), 2 R lines are transformed instead.
- *   - If few modes survive, only these are evaluated. The amplitude of a mode is at most 4 max |T|, so all modes with
- *     exp(lambda t) < eps / (4 nx ny) together contribute less than eps max |T| and are dropped. exp(lambda t) is
- * nearly a product (exactly one for the Laplacian), so the result is again a sum of a few products, transformed back
- * as lines. Both are tried as long as the operation count of the elimination is below that of FFTW's transform. */
+ * In the plane and in space two properties reduce the work below that of two full transforms.  A layer is a row of
+ * the plane or a plane of the box, its last axis y or z:
+ *   - If elimination shows that the data are a sum of R products of a layer and a function of the last coordinate, R
+ *     layers and R lines are transformed instead.
+ *   - If few modes survive, only these are evaluated. The amplitude of a mode is at most 2^dim max |T|, so all modes
+ *     with exp(lambda t) < eps / (2^dim n) together contribute less than eps max |T| and are dropped. exp(lambda t)
+ *     is nearly a product (exactly one for the Laplacian), so the result is again a sum of a few products,
+ *     transformed back as layers and lines.
+ * Both are tried as long as the operation count of the elimination is below that of FFTW's transform. */
 #include "solver/time/stepper.h"
 
 #include "solver/time/products.h"
@@ -31,6 +34,9 @@ struct modes {
     const struct lattice *l;
     struct transform *transform;
     double t;                 /* s */
+    int last;                 /* axis: z in space, else y (of one particle, for a rod) */
+    int n[2];                 /* particles of a layer; layers */
+    double *fold;             /* room for the weights of fold() */
     double *versine[DIM_MAX]; /* cos(i theta_k) - 1 times the multiplicity of +-i, at [i n + k] */
 };
 
@@ -89,6 +95,16 @@ static double fold(const struct modes *s, int q, double *w) {
     return across;
 }
 
+/* Eigenvalues of the modes of a layer, with wave number q along the last axis. */
+static void layer_rates(const struct modes *s, int q, double *lambda) {
+    if (s->last == 1) {
+        rates(s, s->a->weight, 0, q, lambda);
+        return;
+    }
+    double across = fold(s, q, s->fold);
+    for (int m = 0; m < s->l->n[1]; m++) rates(s, s->fold, across, m, lambda + m * s->l->n[0]);
+}
+
 static double decay(double z) {
     return z < GONE ? 0 : exp(z);
 }
@@ -110,23 +126,17 @@ static int worthwhile(const struct modes *s, double searched) {
 }
 
 static void transform_factors(const struct modes *s, struct products *p,
-                              void (*way)(const struct transform *, int, const double *, double *)) {
-    for (int axis = 0; axis < 2; axis++) {
-        size_t n = (size_t)p->n[axis];
-        double *line = xcalloc(n, sizeof *line);
-        for (size_t r = 0; r < (size_t)p->rank; r++) {
-            double *factor = p->factor[axis] + r * n;
-            for (size_t i = 0; i < n; i++) line[i] = factor[i];
-            way(s->transform, axis, line, factor);
-        }
-        free(line);
+                              void (*way)(const struct transform *, int, int, double *)) {
+    for (int r = 0; r < p->rank; r++) {
+        way(s->transform, 0, s->last - 1, p->factor[0] + (size_t)r * (size_t)p->n[0]);
+        way(s->transform, s->last, s->last, p->factor[1] + (size_t)r * (size_t)p->n[1]);
     }
 }
 
 /* Returns 1 and the transform of F as products if F is a sum of few products; else 0. */
 static int product_transform(const struct modes *s, const double *F, struct products *p) {
-    if (s->l->dim != 2 || !products_split(F, s->l->n, 4 * DBL_EPSILON, worthwhile(s, 1), p)) return 0;
-    transform_factors(s, p, transform_line_forward);
+    if (s->l->dim < 2 || !products_split(F, s->n, 4 * DBL_EPSILON, worthwhile(s, 1), p)) return 0;
+    transform_factors(s, p, transform_axes_forward);
     return 1;
 }
 
@@ -152,43 +162,43 @@ static void drop_absent(const struct products *p, int axis, int *keep) {
 
 /* Exponent lambda t below which a mode is dropped. */
 static double least_exponent(const struct modes *s) {
-    return log(DBL_EPSILON / 4 / s->l->n[0] / s->l->n[1]);
+    return log(DBL_EPSILON / (1 << s->l->dim) / s->n[0] / s->n[1]);
 }
 
-/* Wave numbers along each axis with at least one surviving mode, keep[0][k] and keep[1][m], and their counts. */
+/* Modes of a layer and wave numbers along the last axis with at least one surviving mode, keep[0] and keep[1], and
+ * their counts. */
 static void survivors(const struct modes *s, const struct products *p, int *keep[2], int count[2]) {
-    int nx = s->l->n[0], ny = s->l->n[1];
-    double *lambda = xcalloc((size_t)nx, sizeof *lambda), least = least_exponent(s) / s->t;
-    for (int m = 0; m < ny; m++) {
+    double *lambda = xcalloc((size_t)s->n[0], sizeof *lambda), least = least_exponent(s) / s->t;
+    for (int q = 0; q < s->n[1]; q++) {
         int any = 0;
-        rates(s, s->a->weight, 0, m, lambda);
-        for (int k = 0; k < nx; k++) {
+        layer_rates(s, q, lambda);
+        for (int k = 0; k < s->n[0]; k++) {
             int survives = !(lambda[k] < least);
             any += survives;
             keep[0][k] |= survives;
         }
-        keep[1][m] = any > 0;
+        keep[1][q] = any > 0;
     }
     free(lambda);
-    for (int axis = 0; axis < 2; axis++) drop_absent(p, axis, keep[axis]);
-    for (int axis = 0; axis < 2; axis++)
-        for (int k = 0; k < s->l->n[axis]; k++)
-            if (keep[axis][k]) keep[axis][count[axis]++] = k; /* the list overwrites the marks */
+    for (int side = 0; side < 2; side++) drop_absent(p, side, keep[side]);
+    for (int side = 0; side < 2; side++)
+        for (int k = 0; k < s->n[side]; k++)
+            if (keep[side][k]) keep[side][count[side]++] = k; /* the list overwrites the marks */
 }
 
 /* Amplitudes at time t of the modes keep[0] x keep[1] of the data *p. */
 static void amplitudes(const struct modes *s, const struct products *p, int *const keep[2], const int count[2],
                        double *C) {
-    double *lambda = xcalloc((size_t)s->l->n[0], sizeof *lambda), scale = 1 / transform_scale(s->l);
+    double *lambda = xcalloc((size_t)s->n[0], sizeof *lambda), scale = 1 / transform_scale(s->l);
     double least = least_exponent(s);
     for (int m = 0; m < count[1]; m++) {
-        rates(s, s->a->weight, 0, keep[1][m], lambda);
+        layer_rates(s, keep[1][m], lambda);
         for (int k = 0; k < count[0]; k++) {
             double sum = 0, z = lambda[keep[0][k]] * s->t;
             if (z < least) continue;
             for (int r = 0; r < p->rank; r++)
                 sum += p->factor[0][r * p->n[0] + keep[0][k]] * p->factor[1][r * p->n[1] + keep[1][m]];
-            C[m * count[0] + k] = scale * exp(z) * sum;
+            C[(size_t)m * (size_t)count[0] + (size_t)k] = scale * exp(z) * sum;
         }
     }
     free(lambda);
@@ -209,8 +219,8 @@ static struct products spread(const struct products *few, int *const keep[2], co
 /* T at time t.  Returns 0 and leaves T unchanged if it is not a sum of few products. */
 static int evolve_few(const struct modes *s, const struct products *start, double *T) {
     int *keep[2], count[2] = {0, 0};
-    const int *n = s->l->n;
-    for (int axis = 0; axis < 2; axis++) keep[axis] = xcalloc((size_t)n[axis], sizeof **keep);
+    const int *n = s->n;
+    for (int side = 0; side < 2; side++) keep[side] = xcalloc((size_t)n[side], sizeof **keep);
     survivors(s, start, keep, count);
     double all = (double)count[0] * count[1];
     double *C = xcalloc((size_t)count[0] * (size_t)count[1], sizeof *C);
@@ -219,13 +229,13 @@ static int evolve_few(const struct modes *s, const struct products *start, doubl
     int found = products_split(C, count, DBL_EPSILON, worthwhile(s, all / n[0] / n[1]), &few);
     if (found) {
         struct products end = spread(&few, keep, n);
-        transform_factors(s, &end, transform_line_backward);
+        transform_factors(s, &end, transform_axes_backward);
         products_join(&end, T);
         products_free(&end);
         products_free(&few);
     }
     free(C);
-    for (int axis = 0; axis < 2; axis++) free(keep[axis]);
+    for (int side = 0; side < 2; side++) free(keep[side]);
     return found;
 }
 
@@ -241,22 +251,16 @@ static void coefficients(const struct modes *s, const struct products *p, double
 
 /* Advances the coefficients T by the time t; g are the coefficients of the source, or NULL. */
 static void advance_all(const struct modes *s, double *T, const double *g) {
-    int nx = s->l->n[0], ny = s->l->n[1], nz = s->l->n[2];
-    double *lambda = xcalloc((size_t)nx, sizeof *lambda), scale = 1 / transform_scale(s->l);
-    double *w = xcalloc(operator_offset(s->a->reach, s->a->reach[0], s->a->reach[1], 0) + 1, sizeof *w);
+    double *lambda = xcalloc((size_t)s->n[0], sizeof *lambda), scale = 1 / transform_scale(s->l);
     size_t at = 0;
-    for (int q = 0; q < nz; q++) {
-        double across = fold(s, q, w);
-        for (int m = 0; m < ny; m++) {
-            rates(s, w, across, m, lambda);
-            for (int k = 0; k < nx; k++, at++) {
-                double z = lambda[k] * s->t, mode = decay(z) * T[at];
-                if (g) mode += s->t * phi(z) * g[at];
-                T[at] = scale * mode;
-            }
+    for (int q = 0; q < s->n[1]; q++) {
+        layer_rates(s, q, lambda);
+        for (int k = 0; k < s->n[0]; k++, at++) {
+            double z = lambda[k] * s->t, mode = decay(z) * T[at];
+            if (g) mode += s->t * phi(z) * g[at];
+            T[at] = scale * mode;
         }
     }
-    free(w);
     free(lambda);
 }
 
@@ -278,13 +282,17 @@ static void evolve_all(const struct modes *s, const struct products *start, doub
 
 /* Advances T, in the particles' order, from 0 to t (s). */
 static void evolve(const struct heat_operator *a, double t, double *T) {
-    struct modes s = {.a = a, .l = &a->lattice, .t = t, .transform = transform_create(&a->lattice)};
+    const struct lattice *l = &a->lattice;
+    struct modes s = {.a = a, .l = l, .t = t, .last = l->dim < 3 ? 1 : 2, .transform = transform_create(l)};
     struct products start;
+    s.n[0] = s.last == 1 ? l->n[0] : l->n[0] * l->n[1], s.n[1] = l->n[s.last];
+    s.fold = xcalloc(operator_offset(a->reach, a->reach[0], a->reach[1], 0) + 1, sizeof *s.fold);
     for (int axis = 0; axis < DIM_MAX; axis++) s.versine[axis] = versines(a, axis);
     int product = product_transform(&s, T, &start);
     if (!(product && !a->g && evolve_few(&s, &start, T))) evolve_all(&s, product ? &start : NULL, T);
     if (product) products_free(&start);
     for (int axis = 0; axis < DIM_MAX; axis++) free(s.versine[axis]);
+    free(s.fold);
     transform_free(s.transform);
 }
 

@@ -7,10 +7,9 @@
  * are FFTW's r2r transforms ("1d Real-even DFTs", "1d Real-odd DFTs").
  *
  * One plan for a single line is applied line by line: FFTW's unmeasured plans for many lines are up to four times
- * slower.  Each pass writes rows along one axis to columns, so a pass for each axis transforms
- * a plane or a box.  Plans of the first
- * KEPT lengths are cached for the life of the program, because planning a short line takes thirty times as long as
- * its transform.  Results do not depend on the cache.
+ * slower.  Each pass writes rows along one axis to columns, so a pass for each axis transforms a plane or a box.
+ * Plans of the first KEPT lengths are cached for the life of the program, because planning a short line takes thirty
+ * times as long as its transform.  Results do not depend on the cache.
  *
  * With a Robin wall (ghosts as in layout.h) the modes are, k = 0 .. n - 1,
  *
@@ -49,7 +48,6 @@ static const struct basis bases[2][2][2] = {
 
 struct axis {
     int n;
-    ptrdiff_t lines;
     double *mode;      /* phi_k(i) at [k n + i], of unit length; NULL if FFTW is used */
     fftw_plan plan[2]; /* forward, backward; for one line */
     int kept[2];       /* 1: in the cache, not to be destroyed */
@@ -147,8 +145,7 @@ void transform_forget(void) {
 }
 
 static struct axis prepare(const struct lattice *l, int axis) {
-    struct axis a = {.n = l->n[axis], .lines = 1};
-    for (int d = 0; d < l->dim; d++) a.lines *= d == axis ? 1 : l->n[d];
+    struct axis a = {.n = l->n[axis]};
     if (is_robin(l, axis)) {
         a.mode = robin_modes(l, axis);
         return a;
@@ -187,14 +184,6 @@ static void line(const struct axis *a, int way, const double *from, double *to) 
     fftw_execute_r2r(a->plan[way], (double *)from, to);
 }
 
-void transform_line_forward(const struct transform *t, int axis, const double *from, double *to) {
-    line(&t->axis[axis], 0, from, to);
-}
-
-void transform_line_backward(const struct transform *t, int axis, const double *from, double *to) {
-    line(&t->axis[axis], 1, from, to);
-}
-
 double transform_flops(const struct transform *t) {
     double all = 0;
     for (int a = 0; a < t->dim; a++) {
@@ -210,8 +199,8 @@ double transform_flops(const struct transform *t) {
 }
 
 /* work: LINES * n values. */
-static void pass(const struct axis *a, int way, const double *in, double *out, double *work) {
-    size_t n = (size_t)a->n, lines = (size_t)a->lines;
+static void pass(const struct axis *a, int way, size_t lines, const double *in, double *out, double *work) {
+    size_t n = (size_t)a->n;
     for (size_t j = 0; j < lines; j += LINES) {
         size_t count = lines - j < LINES ? lines - j : LINES;
         for (size_t r = 0; r < count; r++) line(a, way, in + (j + r) * n, work + r * n);
@@ -221,14 +210,17 @@ static void pass(const struct axis *a, int way, const double *in, double *out, d
 }
 
 /* One pass along each axis; each turns the order of the axes, and the last restores it. */
-static void all_passes(const struct transform *t, int way, double *T) {
-    size_t n = (size_t)t->axis[0].n * (size_t)t->axis[0].lines, longest = 0;
-    for (int a = 0; a < t->dim; a++)
-        if ((size_t)t->axis[a].n > longest) longest = (size_t)t->axis[a].n;
+static void passes(const struct transform *t, int way, int first, int last, double *T) {
+    size_t n = 1, longest = 0;
+    for (int a = first; a <= last; a++) {
+        size_t along = (size_t)t->axis[a].n;
+        n *= along;
+        if (along > longest) longest = along;
+    }
     double *across = xcalloc(n, sizeof *across), *work = xcalloc(LINES * longest, sizeof *work), *in = T,
            *out = across;
-    for (int a = 0; a < t->dim; a++) {
-        pass(&t->axis[a], way, in, out, work);
+    for (int a = first; a <= last; a++) {
+        pass(&t->axis[a], way, n / (size_t)t->axis[a].n, in, out, work);
         double *swap = in;
         in = out, out = swap;
     }
@@ -237,10 +229,18 @@ static void all_passes(const struct transform *t, int way, double *T) {
     free(across);
 }
 
+void transform_axes_forward(const struct transform *t, int first, int last, double *T) {
+    passes(t, 0, first, last, T);
+}
+
+void transform_axes_backward(const struct transform *t, int first, int last, double *T) {
+    passes(t, 1, first, last, T);
+}
+
 void transform_forward(const struct transform *t, double *T) {
-    all_passes(t, 0, T);
+    passes(t, 0, 0, t->dim - 1, T);
 }
 
 void transform_backward(const struct transform *t, double *T) {
-    all_passes(t, 1, T);
+    passes(t, 1, 0, t->dim - 1, T);
 }

@@ -24,9 +24,9 @@ void transform_forward(const struct transform *t, double *T);
 void transform_backward(const struct transform *t, double *T);
 double transform_scale(const struct lattice *l);
 
-/* Transform of one line of n[axis] values along an axis. */
-void transform_line_forward(const struct transform *t, int axis, const double *line, double *to);
-void transform_line_backward(const struct transform *t, int axis, const double *line, double *to);
+/* The same along the axes first .. last alone, of the n[first] ... n[last] values of T. */
+void transform_axes_forward(const struct transform *t, int first, int last, double *T);
+void transform_axes_backward(const struct transform *t, int first, int last, double *T);
 
 /* Additions and multiplications of transform_backward per value. */
 double transform_flops(const struct transform *t);
