@@ -319,7 +319,7 @@ stability operators walls front: $(BUILD)/heatladder
 	else echo "$@: gnuplot is not here (make setup installs it); figures were not drawn"; fi
 
 # The figures that README.md and reports/README.md show.
-GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_work operators_growth walls_error walls_work front_means
+GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_work operators_growth walls_error walls_work front_means space_fig1
 
 gallery: report stability operators walls front ## Copy the figures that the README shows to reports/gallery
 	@mkdir -p reports/gallery

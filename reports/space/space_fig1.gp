@@ -7,7 +7,7 @@ set label 98 heading at screen 0.5, screen 0.965 center noenhanced font size_of(
 unset bmargin
 set multiplot
 set palette defined (0 '#00224e', 1 '#35456c', 2 '#666970', 3 '#948e77', 4 '#c8b866', 5 '#fee838') # cividis
-set cbrange [-7:-2]
+set cbrange [-6:-1]
 set xrange [-2:2]
 set yrange [-2:2]
 set xtics -2, 1
@@ -22,25 +22,25 @@ set ylabel 'y  [m]'
 set title 'FO-SSPH' font size_of(11) offset 0,-0.6
 plot data index 'slice, fo_ssph' using 1:2:3 with image
 unset label 98; unset label 99
-set lmargin at screen 0.32; set rmargin at screen 0.56
+set lmargin at screen 0.33; set rmargin at screen 0.57
 unset ylabel
 set format y ''
 set title 'SO-SSPH' font size_of(11) offset 0,-0.6
-set colorbox user origin screen 0.575, screen 0.29 size screen 0.012, screen 0.57
-set cblabel 'lg |T − T_e| / T_0  [-]' offset -0.5
+set colorbox user origin screen 0.585, screen 0.29 size screen 0.012, screen 0.57
+set cblabel 'log_{10} |T_n − T_e| / T_0  [-]' offset 1.2
 plot data index 'slice, so_ssph' using 1:2:3 with image
 unset colorbox
 set size noratio
-set lmargin at screen 0.73; set rmargin at screen 0.98
+set lmargin at screen 0.75; set rmargin at screen 0.98
 set grid xtics ytics ls 98
 set title 'errors' font size_of(11) offset 0,-0.6
 set logscale xy
 set format y '10^{%T}'
 set xlabel 'dx  [m]'
 set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5
-set xrange [0.02:0.12]
+set xrange [0.028:0.12]
 set yrange [1e-4:0.2]
-set xtics (0.025, 0.05, 0.1)
+set xtics ('1/30' 1/30., 0.05, 0.1)
 set ytics autofreq
 set key bottom right
 names = 'fo_ssph so_ssph brookshaw ftcs'

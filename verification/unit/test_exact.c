@@ -208,7 +208,7 @@ static void compare_modes(const struct problem *p, const struct options *o, doub
     operator_free(&a);
 }
 
-static const double fractions[] = {0.27, 1, 13.1}; /* of t_end: most modes survive, some, few */
+static const double fractions[] = {0.27, 1, 13.1}; /* t over t_end: most modes survive, some, few */
 
 static void few_modes_and_all_modes_agree(void **state) {
     (void)state;
