@@ -23,7 +23,8 @@ struct battery_row {
     const char *ranges; /* ranges for random draws: NAME=LO:HI of the scene's parameters, offset=LO:HI in K of the
                            scene, and `cross`: the image is that of the scene's other rows with x and y exchanged and
                            both reversed (a rod: reversed; a box: each axis moved to the next and reversed), so that
-                           one draw covers both orientations */
+                           one draw covers both orientations; or `opposite`: with each axis reversed alone, so that
+                           each corner of the case has opposite corners of the scene in two rows */
     int line;           /* line of battery.def with the row's bounds */
     const char *why;
 };

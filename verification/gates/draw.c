@@ -42,14 +42,18 @@ static struct mapping draw_map(unsigned long seed, const char *scene, int dim, i
     return m;
 }
 
+static int has_word(const char *ranges, const char *word) {
+    return strstr(ranges, word) != NULL;
+}
+
 /* Draws the numbers of the ranges and appends them as options; *offset in K of the scene. */
 static int draw_ranges(const char *ranges, gsl_rng *r, char *command, double *offset, struct failure *why) {
     for (const char *at = ranges; *at; at += strspn(at, " ")) {
         char name[32];
         double lo, hi;
         int used = 0;
-        if (strncmp(at, "cross", 5) == 0) {
-            at += 5;
+        if (strncmp(at, "cross", 5) == 0 || strncmp(at, "opposite", 8) == 0) {
+            at += strcspn(at, " ");
             continue;
         }
         if (sscanf(at, "%31[A-Za-z0-9_]=%lf:%lf%n", name, &lo, &hi, &used) != 3 || !(lo < hi))
@@ -110,7 +114,8 @@ int battery_command(const struct battery_row *row, unsigned long seed, char comm
             words_add(command, BATTERY_COMMAND, " --set %.*s", (int)strcspn(at, " "), at);
     if (seed) {
         gsl_rng *r = generator(seed, scene, row->ranges);
-        m = draw_map(seed, scene, dimension_of(scene_find(scene), row->sets), strstr(row->ranges, "cross") != NULL);
+        m = draw_map(seed, scene, dimension_of(scene_find(scene), row->sets), has_word(row->ranges, "cross"));
+        for (int a = 0; a < m.axes && has_word(row->ranges, "opposite"); a++) m.against[a] = !m.against[a];
         int status = draw_ranges(row->ranges, r, command, &offset, why);
         double scale = exp2(between(r, -1, 1));
         gsl_rng_free(r);
