@@ -134,14 +134,16 @@ static int contradicts(const struct gate *gate, const struct headline *h) {
     struct failure ignored;
     struct image image;
     int against = 0;
-    if (strcmp(gate->measure, "order") != 0 || !(gate->ceiling > 0)) return 0;
+    const int is_order = strcmp(gate->measure, "order") == 0, is_error = strcmp(gate->measure, "error") == 0;
+    const double ceiling = is_error ? gate->hi : gate->ceiling;
+    if (!(is_order || is_error) || !(ceiling > 0)) return 0;
     if (!command_read_with(gate->command, external, &r, &ignored)) {
         const struct experiment *e = &r.experiment;
-        double finest = r.rungs.dx.value[0];
+        double finest = r.rungs.dx.count ? r.rungs.dx.value[0] : e->options.dx;
         for (int i = 1; i < r.rungs.dx.count; i++) finest = fmin(finest, r.rungs.dx.value[i]);
         mapping_image(&e->program.map, &e->problem, &image);
         if (!e->derived && (e->problem.materials == 1 || image.interface_axis == 0))
-            against = headline_contradicts(h, &image.problem, finest, e->program.map.offset, gate->ceiling);
+            against = headline_contradicts(h, &image.problem, finest, e->program.map.offset, ceiling);
     }
     command_free(&r);
     return against;

@@ -317,6 +317,15 @@ static void failing_gates_are_diagnosed(void **state) {
                       .command = "ladder square-step mine --set kappa_x=0.02 --set kappa_y=0.01 --dx 0.2,0.1"};
     gates_diagnosis(&g, all, sizeof all); /* that passes, and could not with the fault */
     assert_string_equal(all, "");
+    result[1].gate = (struct gate){.measure = "error",
+                                   .hi = 1e-3,
+                                   .ceiling = NAN,
+                                   .command = "run square-step mine --set kappa_x=0.02 --set kappa_y=0.01 --dx 0.1"};
+    gates_diagnosis(&g, all, sizeof all); /* nor could a single run */
+    assert_string_equal(all, "");
+    result[1].gate.hi = 1;
+    gates_diagnosis(&g, all, sizeof all);
+    assert_has(all, "k_x and k_y");
 }
 
 int main(void) {
