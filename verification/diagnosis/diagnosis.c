@@ -316,6 +316,7 @@ static void name(const struct problem *p, const struct candidate_fault *c, const
     d->fourier = fine->dt * problem_diffusivity(p) / (fine->dx * fine->dx);
     if (c->fault.kind == FAULT_MEAN) d->fault.axis = mean_of(p, c->fine.size / c->unit[0]);
     wording_fault(d);
+    d->is_pace = c->fault.kind == FAULT_CONDUCTIVITY && fault_is_pace(p); /* said where no other row excludes it */
 }
 
 /* A clock that is wrong by one step at one of the two rungs and right at the other. */
@@ -368,7 +369,7 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
     else if (most > 0)
         snprintf(d->what, sizeof d->what, "no usual fault explains more than %.0f %% of the error", 100 * most);
     else
-        snprintf(d->what, sizeof d->what, "no usual fault: the error is of the size that differences leave");
+        snprintf(d->what, sizeof d->what, "no usual fault explains more than a correct code's own part of the error");
 }
 
 /* The size of *d at spacing dx, in the unit of its fault. */

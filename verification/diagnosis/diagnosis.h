@@ -27,6 +27,7 @@ struct diagnosis {
     const char *unit; /* "steps", "s", "dx^2/kappa", "%", "cells", "K", "digits" or "" */
     double share;     /* share of the squared error, 0 to 1, at the finest rung; NAN if another criterion applies */
     double fourier;   /* dt kappa/dx^2 of the finest rung; 0: unknown */
+    int is_pace;      /* 1: a conductivity, in a problem where longer steps have the same effect */
     unsigned sides;   /* 1 << enum side_kind of each side to which the fault applies; 0: none */
     char what[240];   /* "as if the run had stopped 0.98 steps early"; without a fault the reason why none is named */
 };

@@ -187,11 +187,15 @@ static int has_coefficient(const struct problem *p, int axis) {
     return cooled >= 2;
 }
 
-/* Whether there are two materials without sources, so that the fluxes determine the solution. */
-static int has_diffusivities(const struct problem *p) {
+int fault_is_pace(const struct problem *p) {
     for (int s = 0; s < 2 * p->dim; s++)
         if (p->side[s] == ROBIN || (p->side[s] == NEUMANN && has_wall_value(p, (enum side)s))) return 0;
-    return p->materials == 2 && !p->source && p->material[0].rho_c != p->material[1].rho_c;
+    return !p->source && !p->source_at && !p->wall_rate;
+}
+
+/* Whether there are two materials without sources, so that the fluxes determine the solution. */
+static int has_diffusivities(const struct problem *p) {
+    return p->materials == 2 && fault_is_pace(p) && p->material[0].rho_c != p->material[1].rho_c;
 }
 
 static int has_corner(const struct problem *p, int corner) {

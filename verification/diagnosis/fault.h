@@ -85,6 +85,10 @@ int fault_bends(enum fault_kind kind);
  * a flux or source of the wrong sign has a size of its own. */
 int fault_can_be(const struct problem *p, enum fault_kind kind, double size);
 
+/* 1 if nothing but conduction changes T between steady walls: a larger conductivity has then the effect of longer
+ * steps. */
+int fault_is_pace(const struct problem *p);
+
 /* The size at which the response is evaluated: small if the response is proportional, a fraction of the extent for
  * lengths. */
 double fault_probe(const struct problem *p, struct fault fault);

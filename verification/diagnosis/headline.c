@@ -55,6 +55,7 @@ struct headline headline_choose(const struct diagnosis *found, int failing) {
     for (int i = 0; i < count; i++) {
         if (same[i].fault.axis != same[0].fault.axis) h.fault.fault.axis = FAULT_ANY;
         h.fault.sides &= same[i].sides;
+        h.fault.is_pace &= same[i].is_pace;
     }
     free(same);
     h.is_firm = h.votes >= 2 && 2 * h.votes >= failing;

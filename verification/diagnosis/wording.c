@@ -80,7 +80,7 @@ static const struct {
     [FAULT_LAW] = {"as if k(T) {name}", laws, "were that of another temperature", NULL, NULL},
     [FAULT_MEAN] = {"as if {name} of two conductivities stood for the harmonic one", means, "another mean", NULL,
                     NULL},
-    [FAULT_AMPLITUDE] = {.text = "as if all temperatures were {size} % too {way}"},
+    [FAULT_AMPLITUDE] = {.text = "as if all temperatures were {size} % too {way}, or heat were gained everywhere"},
     [FAULT_OFFSET] = {"all temperatures are {size} K too {way}", NULL, NULL, "low", "high"},
     [FAULT_SOME_STEPS] = {"as if runs at some spacings had stopped one step {way}: `while (t < t_end)` with a sum of "
                           "rounded steps does so",
@@ -95,6 +95,9 @@ static const struct {
 static const char *text_of(const struct diagnosis *d) {
     static const double ANOTHER = 300; /* %: beyond this, another value is more likely than a factor */
     int is_wall = d->fault.kind == FAULT_WALL, is_source = d->fault.kind == FAULT_SOURCE;
+    if (d->is_pace) return "as if the conductivity, or the length of each step, were {size} % too {way}";
+    if (d->fault.kind == FAULT_AMPLITUDE && d->size < 0)
+        return "as if all temperatures were {size} % too {way}, or heat were lost everywhere";
     if (d->fault.kind == FAULT_CLOCK && d->unit[0] == 'd')
         return "as if the run had stopped {size} {unit} {way}: one step, if steps are of that length";
     if (d->fault.kind == FAULT_OFFSET && fabs(fabs(d->size) - 273.15) < 0.5)

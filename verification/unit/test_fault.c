@@ -27,6 +27,22 @@ static void impossible_sizes_are_refused(void **state) {
     assert_int_equal(fault_can_be(&p, FAULT_EXTENT, -0.1), 1);
 }
 
+/* A larger conductivity has the effect of longer steps only where nothing but conduction changes T. */
+static void conductivity_and_pace_differ_by_sources_fluxes_and_air(void **state) {
+    (void)state;
+    static const char *const one[] = {"rod-gauss", "rod-cosine", "rod-contact", "square-step", "plate"},
+                             *const two[] = {"rod-cooling", "plate-cooling", "rect-manufactured", CHANGING,
+                                             "rod-driven"};
+    for (int i = 0; i < 5; i++) {
+        struct problem p = problem_of(one[i]), q = problem_of(two[i]);
+        assert_true(fault_is_pace(&p));
+        assert_false(fault_is_pace(&q));
+    }
+    struct problem p = problem_of("rect-manufactured");
+    p.source = NULL; /* fluxes are left */
+    assert_false(fault_is_pace(&p));
+}
+
 /* Probes along y have the extent of y; the walls across y, and no others, keep k dT/dn = b (value - T) in a
  * stretched body. */
 static void probe_sizes_along_y_use_the_extent_of_y(void **state) {
@@ -235,6 +251,7 @@ static void wall_value_in_the_middle_alone_is_found(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(impossible_sizes_are_refused),
+        cmocka_unit_test(conductivity_and_pace_differ_by_sources_fluxes_and_air),
         cmocka_unit_test(probe_sizes_along_y_use_the_extent_of_y),
         cmocka_unit_test(probe_sizes_of_both_axes_use_x),
         cmocka_unit_test(sides_and_corners_have_faults_of_their_own),

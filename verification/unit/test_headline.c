@@ -52,7 +52,11 @@ static void faults_have_sentences(void **state) {
         {{FAULT_START_SHIFT, 1}, -0.5, "cells", "as if the initial data were 0.5 cells too far down along y"},
         {{FAULT_START_WIDTH, 0}, 1, "cells", "as if the jumps of the initial data were 1 cells further out along x"},
         {{FAULT_INTERFACE, 0}, -0.5, "cells", "as if the interface were 0.5 cells too far down"},
-        {{FAULT_AMPLITUDE, 0}, 0.5, "%", "as if all temperatures were 0.5 % too large"},
+        {{FAULT_AMPLITUDE, 0},
+         0.5,
+         "%",
+         "as if all temperatures were 0.5 % too large, or heat were gained everywhere"},
+        {{FAULT_AMPLITUDE, 0}, -1, "%", "as if all temperatures were 1 % too small, or heat were lost everywhere"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct diagnosis d = {.named = 1, .fault = rows[i].fault, .size = rows[i].size, .unit = rows[i].unit};
@@ -118,6 +122,19 @@ static void headlines_need_half_of_the_rows_and_sizes_that_agree(void **state) {
     headline_is(&none, 0, "");
 }
 
+/* A conductivity and the length of a step have one effect where nothing but conduction changes T: the headline says
+ * both, unless a row with a source or an air votes for the conductivity. */
+static void headlines_say_both_of_two_faults_with_one_effect(void **state) {
+    (void)state;
+    struct diagnosis pace = of(FAULT_CONDUCTIVITY, 0, 50, "%"), k = pace;
+    pace.is_pace = 1;
+    headline_is(
+        (const struct diagnosis[]){pace, pace, none}, 3,
+        "as if the conductivity, or the length of each step, were 50 % too large (2 of 3 rows that do not pass)");
+    headline_is((const struct diagnosis[]){pace, k, pace}, 3,
+                "as if the conductivity were 50 % too large (3 of 3 rows that do not pass)");
+}
+
 /* A draw mirrors rods and turns planes: sides that differ are one fault; noise has a size in each field. */
 static void headlines_join_sides(void **state) {
     (void)state;
@@ -172,6 +189,7 @@ int main(void) {
         cmocka_unit_test(faults_have_sentences),
         cmocka_unit_test(sentences_end_with_the_share),
         cmocka_unit_test(headlines_need_half_of_the_rows_and_sizes_that_agree),
+        cmocka_unit_test(headlines_say_both_of_two_faults_with_one_effect),
         cmocka_unit_test(headlines_join_sides),
         cmocka_unit_test(rows_that_pass_refute_a_headline),
     };
