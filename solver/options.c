@@ -22,11 +22,9 @@ const char *const sampling_words[] = {
 const char *const walls_words[] = {
     [WALLS_MIRROR] = "mirror", [WALLS_FIXED] = "fixed", [WALLS_DISTANCE] = "distance",   [WALLS_AVERAGE] = "average",
     [WALLS_IMAGE] = "image",   [WALLS_FIT] = "fit",     [WALLS_ONE_SIDED] = "one_sided", NULL};
-const char *const mean_words[] = {[MEAN_HARMONIC] = "harmonic",
-                                  [MEAN_ARITHMETIC] = "arithmetic",
-                                  [MEAN_SERIES] = "series",
-                                  [MEAN_KIRCHHOFF] = "kirchhoff",
-                                  NULL};
+const char *const mean_words[] = {
+    [MEAN_AUTO] = "auto",     [MEAN_HARMONIC] = "harmonic",   [MEAN_ARITHMETIC] = "arithmetic",
+    [MEAN_SERIES] = "series", [MEAN_KIRCHHOFF] = "kirchhoff", NULL};
 const char *const domain_words[] = {[DOMAIN_SYMMETRY] = "symmetry", [DOMAIN_WHOLE] = "whole", NULL};
 const char *const volume_words[] = {[VOLUME_MOMENT] = "moment", [VOLUME_RAW] = "raw", [VOLUME_TUNED] = "tuned", NULL};
 

@@ -22,7 +22,8 @@ enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
 /* Beyond WALLS_FIXED, and for WALLS_FIXED on a cut lattice, dummy particles follow particles/walls.c.
  * WALLS_ONE_SIDED has no dummies. */
 enum walls { WALLS_MIRROR, WALLS_FIXED, WALLS_DISTANCE, WALLS_AVERAGE, WALLS_IMAGE, WALLS_FIT, WALLS_ONE_SIDED };
-enum mean { MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES, MEAN_KIRCHHOFF };
+/* MEAN_AUTO: harmonic between two materials, kirchhoff where k depends on T. */
+enum mean { MEAN_AUTO, MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES, MEAN_KIRCHHOFF };
 enum domain { DOMAIN_SYMMETRY, DOMAIN_WHOLE };
 enum volume { VOLUME_MOMENT, VOLUME_RAW, VOLUME_TUNED };
 

@@ -95,7 +95,7 @@ struct hl_options { /* 0 and NULL: the default of the method */
     const char *layout;   /* "lattice", "node", "jitter", "relaxed", "hexagonal" */
     const char *sampling; /* "point", "cell", "spline" */
     const char *walls;    /* "mirror", "fixed", ... */
-    const char *mean;     /* "harmonic", "arithmetic", "series", "kirchhoff" */
+    const char *mean;     /* "auto", "harmonic", "arithmetic", "series", "kirchhoff" */
 };
 
 struct hl_field {

@@ -51,7 +51,7 @@ double ftcs_layers_conductivity(const struct problem *p, enum mean mean, double 
     double here = depth(p, d, x), there = here + (d > 0 ? 1 : -1);
     double ka = p->material[here >= 0].k[0], kb = p->material[there >= 0].k[0];
     double beyond = fmin(1, fmax(0, fmax(here, there))); /* fraction of the line */
-    if (mean == MEAN_HARMONIC) return 2 * ka * kb / (ka + kb);
     if (mean == MEAN_ARITHMETIC) return 0.5 * (ka + kb);
+    if (mean != MEAN_SERIES) return 2 * ka * kb / (ka + kb);
     return 1 / ((1 - beyond) / p->material[0].k[0] + beyond / p->material[1].k[0]);
 }

@@ -67,7 +67,8 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
     const int round = p->shape != NULL, two = p->materials > 1, node = o->layout == LAYOUT_NODE;
     const int law = p->k_law != K_CONSTANT, matched = options_is_matched(o),
               periodic = !round && p->side[X_LO] == PERIODIC;
-    const int steps = matched || o->stepper == STEPPER_AUTO || o->stepper == STEPPER_EULER;
+    const int staged = law && (o->stepper == STEPPER_RK2 || o->stepper == STEPPER_RKL2);
+    const int steps = matched || staged || o->stepper == STEPPER_AUTO || o->stepper == STEPPER_EULER;
     int robin = 0, robin_across = 0;
     for (int s = 0; s < 2 * p->dim && !round; s++) robin |= p->side[s] == ROBIN;
     for (int s = Y_LO; s < 2 * p->dim && !round; s++) robin_across |= p->side[s] == ROBIN;
@@ -108,6 +109,7 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
         {periodic && o->walls != WALLS_MIRROR, "walls", walls, "the scene is periodic and has no walls; use mirror"},
         {options_is_cloud(o), "layout", layout, "finite differences need a grid; use lattice or node"},
         {o->walls > WALLS_FIXED, "walls", walls, "is for particles; use mirror or fixed"},
+        {!steps && law, "stepper", stepper, "finite differences with k(T) have euler, rk2, rkl2 and auto; use rk2"},
         {!steps, "stepper", stepper, "finite differences have euler, auto and, on a rod, matched; use euler"},
         {matched && p->dim > 1, "stepper", stepper,
          p->dim == 2 ? "in the plane the error is not isotropic, and no step cancels it; use euler"
@@ -177,7 +179,9 @@ static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct
         count = 2 * ceil(ideal / 2 - 1e-9);
         g->alternation = sqrt(fmax(0, count / ideal - 1));
     } else {
-        double dt = o->dt != 0 ? o->dt : (o->fourier != 0 ? o->fourier : 0.1) * square / kappa;
+        double dt = o->dt != 0 ? o->dt : (o->fourier != 0 ? o->fourier : 0.1) * square / kappa, radius = 0;
+        for (int a = 0; a < p->dim; a++) radius += 4 * kappa / (g->d[a] * g->d[a]);
+        if (o->stepper == STEPPER_RKL2 && o->dt == 0 && o->fourier == 0) dt = sqrt(span / radius);
         count = span > 0 ? fmax(1, ceil(span / dt - 1e-9)) : 0;
     }
     if (!(count <= 1e12)) return refuse(why, STATUS_INPUT, "%s: %g time steps, at most 1e12", g->method, count);

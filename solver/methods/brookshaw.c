@@ -45,8 +45,8 @@ static double pair_conductivity(const struct problem *p, enum mean mean, double 
     int here = layout_material(p, x), there = layout_material(p, x + d);
     double ki = p->material[here].k[0], kj = p->material[there].k[0];
     if (here == there) return 2 * ki;
-    if (mean == MEAN_HARMONIC) return 4 * ki * kj / (ki + kj);
     if (mean == MEAN_ARITHMETIC) return ki + kj;
+    if (mean != MEAN_SERIES) return 4 * ki * kj / (ki + kj);
     double part = (p->interface - x) / d; /* fraction of the line on this side */
     return 2 / (part / ki + (1 - part) / kj);
 }

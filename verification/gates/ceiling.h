@@ -68,6 +68,7 @@ double ceiling_jitter(const struct experiment *e);
 /* k that depends on T: the truncation error of operator and mean on a rod with smooth data; parts of the heat of the
  * front's wave, in the cell behind the front, and ahead of its initial place. */
 double ceiling_kirchhoff(const struct experiment *e);
+double ceiling_kirchhoff_time(const struct experiment *e); /* errors in time, of euler, rk2 or rkl2 */
 double ceiling_tip(const struct experiment *e);
 double ceiling_ahead(const struct experiment *e);
 
@@ -112,6 +113,8 @@ double ceiling_time(const struct experiment *e);
 double ceiling_third(const struct experiment *e);
 /* rod-driven and plate-driven: also the data of each step, linear in time. */
 double ceiling_driven_time(const struct experiment *e);
+/* rod-driven by polynomials in time: the data of each step, of degree 4. */
+double ceiling_driven_polynomials(const struct experiment *e);
 /* rod-driven: explicit Euler steps of dt with the wall of their end, or implicit ones with that of their start. */
 double ceiling_driven_step(const struct experiment *e, double dt);
 /* dx^4/540 t T_ttt/kappa^2: Euler steps at F = 1/6 cancel the leading error of the three-point difference. */

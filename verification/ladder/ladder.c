@@ -166,7 +166,7 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
                          struct failure *why) {
     struct experiment finest = rung_of(e, rungs, l, l->n - 1);
     struct semidiscrete reference;
-    if (!e->method->scheme) return climb_without_reference(e, rungs, l, why);
+    if (!e->method->scheme || e->problem.k_law) return climb_without_reference(e, rungs, l, why);
     int status = semidiscrete_solve(&finest, &reference, why);
     if (status_refused(status)) return status;
     l->semidiscrete_steps = reference.steps;

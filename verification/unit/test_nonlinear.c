@@ -3,6 +3,9 @@
 #include "references/kirchhoff.h"
 #include "solver/method.h"
 #include "solver/particles/conduction.h"
+#include "solver/time/stepper.h"
+#include "verification/run/experiment.h"
+#include "verification/run/run.h"
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/odd_scenes.h"
 
@@ -96,7 +99,7 @@ static void kirchhoff_profile_is_steady(void **state) {
     static const struct {
         const char *method;
         enum mean mean;
-    } exact[] = {{"so_ssph", MEAN_HARMONIC},
+    } exact[] = {{"so_ssph", MEAN_AUTO},
                  {"brookshaw", MEAN_KIRCHHOFF},
                  {"brookshaw", MEAN_ARITHMETIC},
                  {"ftcs", MEAN_KIRCHHOFF},
@@ -180,20 +183,81 @@ static void steppers_have_their_order(void **state) {
         int steps;
         double order;
     } row[] = {{STEPPER_EULER, 800, 1}, {STEPPER_RK2, 800, 2}, {STEPPER_RKL2, 400, 2}};
-    struct problem p;
-    odd_find("front", &p);
-    for (int k = 0; k < 3; k++) {
+    static const char *const bodies[] = {"front", "wall-kirchhoff"}; /* walls that change, a source that changes */
+    for (int run = 0; run < 12; run++) {
+        struct problem p;
         struct field f[3];
+        const int k = run % 3, m = run / 3 % 2 ? 3 : 0;
+        odd_find(bodies[run / 6], &p);
         for (int i = 0; i < 3; i++) {
             struct options o = {.dx = p.hi[0] / 18, .stepper = row[k].stepper, .dt = p.t_end / (row[k].steps << i)};
-            f[i] = solved("so_ssph", &p, &o);
+            f[i] = solved(method_names[m], &p, &o);
             assert_int_equal(f[i].steps, row[k].steps << i);
         }
         double order = log2(distance(&f[0], &f[1]) / distance(&f[1], &f[2]));
-        print_message("order %g in time, stages %d to %d\n", order, f[0].stages, f[2].stages);
+        print_message("%s: order %g in time, stages %d to %d\n", method_names[m], order, f[0].stages, f[2].stages);
         assert_near(order, row[k].order, 0.12);
         for (int i = 0; i < 3; i++) field_free(&f[i]);
     }
+}
+
+static double one_mode(const struct problem *p, const double *x) {
+    return p->start + cos(2 * acos(-1) * (x[0] - p->lo[0]) / (p->hi[0] - p->lo[0]));
+}
+
+/* Each step of ftcs multiplies a mode of an insulated rod by the amplification factor of the stepper. */
+static void modes_of_differences_are_amplified_by_each_step(void **state) {
+    (void)state;
+    enum { N = 24, STEPS = 3 };
+    static const enum stepper_name steppers[] = {STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2, STEPPER_RKL2,
+                                                 STEPPER_RKL2};
+    static const double fourier[] = {0.37, 0.37, 0.7, 2.9, 31.7};
+    for (int k = 0; k < 5; k++) {
+        struct problem p = odd_rod();
+        double dx = (p.hi[0] - p.lo[0]) / N, kappa = p.material[0].k[0] / p.material[0].rho_c;
+        p.k_law = K_LINEAR, p.k_0 = p.material[0].k[0], p.source = NULL, p.initial = one_mode;
+        for (int s = 0; s < 2; s++) p.side[s] = NEUMANN, p.held[s] = 0;
+        p.wall = problem_held, p.t_end = STEPS * fourier[k] * dx * dx / kappa;
+        struct options o = {.dx = dx, .stepper = steppers[k], .fourier = fourier[k]};
+        struct field f = solved("ftcs", &p, &o);
+        double z = -4 * fourier[k] * pow(sin(acos(-1) / N), 2), left = 1;
+        for (int i = 0; i < STEPS; i++) left *= creal(stepper_of(steppers[k])->amplification(f.stages, z));
+        assert_int_equal(f.steps, STEPS);
+        for (size_t i = 0; i < f.n; i++)
+            assert_near(f.T[i], p.start + left * (one_mode(&p, &f.x[i]) - p.start), 1e-13 * (1 + fabs(p.start)));
+        field_free(&f);
+    }
+}
+
+/* No mean is asked for. */
+static void default_mean_lets_the_front_advance(void **state) {
+    (void)state;
+    struct problem p;
+    odd_find("front", &p);
+    for (int m = 2; m < 4; m++) {
+        struct options o = {.dx = p.hi[0] / 36, .fourier = 0.1}, named = o;
+        named.mean = MEAN_KIRCHHOFF;
+        struct field f = solved(method_names[m], &p, &o), g = solved(method_names[m], &p, &named);
+        assert_int_equal(memcmp(f.T, g.T, f.n * sizeof *f.T), 0);
+        field_free(&f);
+        field_free(&g);
+    }
+}
+
+/* A run reports the mean that it takes. */
+static void default_mean_follows_the_problem(void **state) {
+    (void)state;
+    static const char *const bodies[] = {"rod-contact", "front"};
+    for (int k = 0; k < 2; k++)
+        for (int m = 2; m < 4; m++) {
+            struct experiment e = {.scene = scene_find(bodies[k]), .method = method_find(method_names[m])};
+            struct result r;
+            odd_find(bodies[k], &e.problem);
+            e.options = (struct options){.dx = (e.problem.hi[0] - e.problem.lo[0]) / 40, .fourier = 0.1};
+            e.problem.t_end /= 10;
+            run_experiment(&e, &r, NULL);
+            assert_int_equal(r.options.mean, k ? MEAN_KIRCHHOFF : MEAN_HARMONIC);
+        }
 }
 
 static double harmonic_theta(const struct problem *p, const double *x) {
@@ -270,6 +334,8 @@ static void refusals_name_the_option(void **state) {
         assert_refused(method_names[m], &p, &e, STATUS_NOT_APPLICABLE, "--layout node");
         assert_refused(method_names[m], &q, &g, STATUS_NOT_APPLICABLE, "--mean kirchhoff");
     }
+    a.stepper = STEPPER_CHEBYSHEV;
+    assert_refused("ftcs", &p, &a, STATUS_NOT_APPLICABLE, "--stepper chebyshev: finite differences with k(T) have");
     a.stepper = STEPPER_MATCHED;
     assert_refused("ftcs", &p, &a, STATUS_NOT_APPLICABLE, "--stepper matched: k depends on T");
 }
@@ -283,6 +349,9 @@ int main(void) {
         cmocka_unit_test(harmonic_means_lock_the_front),
         cmocka_unit_test(front_holds_the_heat_that_it_received),
         cmocka_unit_test(steppers_have_their_order),
+        cmocka_unit_test(modes_of_differences_are_amplified_by_each_step),
+        cmocka_unit_test(default_mean_lets_the_front_advance),
+        cmocka_unit_test(default_mean_follows_the_problem),
         cmocka_unit_test(quadratic_theta_is_steady),
         cmocka_unit_test(hot_middle_cools_without_growth),
         cmocka_unit_test(steps_follow_the_largest_k),
