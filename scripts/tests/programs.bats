@@ -57,7 +57,7 @@ ROWS
         sleep 0.1
     done
     run ! pgrep -x "endless$$"
-    expect 2 'an answer may have 2 GB' heatladder run rod-gauss mine --dx 1 --solver 'truncate -s 8G {out} # {case}'
+    expect 3 'an answer may have 2 GB' heatladder run rod-gauss mine --dx 1 --solver 'truncate -s 8G {out} # {case}'
 }
 
 @test "bytes that are no letters make no broken UTF-8, XML or terminal command" {
