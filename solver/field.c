@@ -16,16 +16,22 @@ double field_clock(void) {
 
 void field_alloc(struct field *f, int dim, size_t n) {
     *f = (struct field){.dim = dim, .n = n};
-    f->x = xcalloc(n, sizeof *f->x);
-    f->y = dim > 1 ? xcalloc(n, sizeof *f->y) : NULL;
-    f->z = dim > 2 ? xcalloc(n, sizeof *f->z) : NULL;
+    for (int a = 0; a < dim; a++) f->x[a] = xcalloc(n, sizeof **f->x);
     f->T = xcalloc(n, sizeof *f->T);
 }
 
+void field_alloc_lattice(struct field *f, int dim, const int shape[DIM_MAX]) {
+    *f = (struct field){.dim = dim, .n = 1};
+    for (int a = 0; a < DIM_MAX; a++) {
+        f->shape[a] = a < dim ? shape[a] : 1;
+        f->n *= (size_t)f->shape[a];
+        if (a < dim) f->x[a] = xcalloc((size_t)shape[a], sizeof **f->x);
+    }
+    f->T = xcalloc(f->n, sizeof *f->T);
+}
+
 void field_free(struct field *f) {
-    free(f->x);
-    free(f->y);
-    free(f->z);
+    for (int a = 0; a < DIM_MAX; a++) free(f->x[a]);
     free(f->T);
     free(f->weight);
     *f = (struct field){0};

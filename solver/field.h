@@ -22,7 +22,7 @@ struct field { /* arrays are owned; release with field_free */
     size_t n;
     int shape[DIM_MAX];      /* lattice points by axis (1 past dim), x fastest; 0 without a lattice */
     double spacing[DIM_MAX]; /* m; 0 past dim */
-    double *x, *y, *z;       /* m, n each; y is NULL for a rod, z in the plane */
+    double *x[DIM_MAX];      /* m, by axis: n, on a lattice shape[axis] coordinates; NULL past dim */
     double *T;               /* K, n */
     double *weight;          /* m^dim, n: volume weight of each point in norms; NULL if all are equal */
     double time;             /* s, time of T (t_end) */
@@ -40,8 +40,25 @@ struct field { /* arrays are owned; release with field_free */
 
 double field_clock(void); /* s, from a monotonic clock */
 
-void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f; allocates T and the coordinates of dim axes */
+/* Zeroes *f; allocates T and the coordinates of n points, or of a lattice. */
+void field_alloc(struct field *f, int dim, size_t n);
+void field_alloc_lattice(struct field *f, int dim, const int shape[DIM_MAX]);
 void field_free(struct field *f);
+
+/* Position of point i, m, 0 past dim; returns x. */
+static inline const double *field_place(const struct field *f, size_t i, double x[DIM_MAX]) {
+    size_t rest = i;
+    for (int a = 0; a < DIM_MAX; a++) {
+        size_t n = (size_t)f->shape[a];
+        x[a] = a >= f->dim ? 0 : f->x[a][n ? rest % n : i];
+        if (n) rest /= n;
+    }
+    return x;
+}
+/* Moves point i of a field without a lattice to x. */
+static inline void field_put(struct field *f, size_t i, const double x[]) {
+    for (int a = 0; a < f->dim; a++) f->x[a][i] = x[a];
+}
 
 /* sum w |f->T - T| / sum w |size| over the n points of *f, K, with w = f->weight.  Points with size INFINITY have no
  * known value and are skipped. */

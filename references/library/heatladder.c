@@ -273,11 +273,17 @@ static int solve(void *argument, struct failure *why) {
         status = method_solve(m, p, &o, &f, why);
     }
     if (status) return status;
+    double *x[DIM_MAX] = {NULL}, at[DIM_MAX];
+    for (int a = 0; a < f.dim; a++) x[a] = xcalloc(f.n, sizeof **x);
+    for (size_t i = 0; i < f.n; i++) {
+        field_place(&f, i, at);
+        for (int a = 0; a < f.dim; a++) x[a][i] = at[a];
+    }
     *s->field = (struct hl_field){.dim = f.dim,
                                   .n = f.n,
-                                  .x = guard_keep(f.x),
-                                  .y = guard_keep(f.y),
-                                  .z = guard_keep(f.z),
+                                  .x = guard_keep(x[0]),
+                                  .y = guard_keep(x[1]),
+                                  .z = guard_keep(x[2]),
                                   .T = guard_keep(f.T),
                                   .t = f.time,
                                   .dt = f.dt,

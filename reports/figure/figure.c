@@ -23,17 +23,16 @@ static void head(FILE *out, const char *name, const char *command, const char *c
 
 static void write_rod(const struct command_run *run, FILE *out) {
     const struct field *f = &run->field;
-    for (size_t i = 0; i < f->n; i++) fprintf(out, "%.9g,%.9g\n", f->x[i], f->T[i]);
+    for (size_t i = 0; i < f->n; i++) fprintf(out, "%.9g,%.9g\n", f->x[0][i], f->T[i]);
 }
 
 /* The row of particles nearest to y = at. */
 static void write_cut(const struct command_run *run, double at, FILE *out) {
     const struct field *f = &run->field;
-    size_t nearest = 0;
-    for (size_t i = 1; i < f->n; i++)
-        if (fabs(f->y[i] - at) < fabs(f->y[nearest] - at)) nearest = i;
-    for (size_t i = 0; i < f->n; i++)
-        if (fabs(f->y[i] - f->y[nearest]) < f->spacing[1] / 2) fprintf(out, "%.9g,%.9g\n", f->x[i], f->T[i]);
+    size_t nearest = 0, row = (size_t)f->shape[0];
+    for (size_t j = 1; j < (size_t)f->shape[1]; j++)
+        if (fabs(f->x[1][j] - at) < fabs(f->x[1][nearest] - at)) nearest = j;
+    for (size_t i = 0; i < row; i++) fprintf(out, "%.9g,%.9g\n", f->x[0][i], f->T[nearest * row + i]);
 }
 
 static void write_exact(const struct command_run *run, FILE *out) {
@@ -52,8 +51,11 @@ static void write_lattice(const struct command_run *run, const struct figure_ser
     char title[80];
     snprintf(title, sizeof title, "%s computed", s->name);
     head(out, title, s->command, "x [m],y [m],T [K]");
-    for (size_t i = 0; i < f->n; i++)
-        fprintf(out, "%.6g,%.6g,%.6g\n%s", f->x[i], f->y[i], f->T[i], (i + 1) % (size_t)f->shape[0] ? "" : "\n");
+    for (size_t i = 0; i < f->n; i++) {
+        double x[DIM_MAX];
+        field_place(f, i, x);
+        fprintf(out, "%.6g,%.6g,%.6g\n%s", x[0], x[1], f->T[i], (i + 1) % (size_t)f->shape[0] ? "" : "\n");
+    }
     snprintf(title, sizeof title, "%s error", s->name);
     head(out, title, s->command, "E [%]");
     fprintf(out, "%.4g\n", 100 * run->result.error.l1);
@@ -66,9 +68,8 @@ static void write_exact_lattice(const struct command_run *run, const struct figu
     double lo[2], hi[2];
     char title[80];
     for (int a = 0; a < 2; a++) {
-        const double *at = a ? f->y : f->x;
-        lo[a] = fmax(p->lo[a], at[0] - f->spacing[a]);
-        hi[a] = fmin(p->hi[a], at[f->n - 1] + f->spacing[a]);
+        lo[a] = fmax(p->lo[a], f->x[a][0] - f->spacing[a]);
+        hi[a] = fmin(p->hi[a], f->x[a][f->shape[a] - 1] + f->spacing[a]);
     }
     snprintf(title, sizeof title, "%s exact", s->name);
     head(out, title, s->command, "x [m],y [m],T [K]");

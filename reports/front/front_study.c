@@ -37,7 +37,7 @@ static int write_mean(const char *mean, FILE *out, struct failure *why) {
     struct field f = {0};
     if (!status) status = method_solve(e->method, &e->problem, &e->options, &f, why);
     fprintf(out, "\n\n# profile, %s\nx [m],T [K]\n", mean);
-    for (size_t i = 0; i < f.n; i++) fprintf(out, "%g,%.6g\n", f.x[i], f.T[i]);
+    for (size_t i = 0; i < f.n; i++) fprintf(out, "%g,%.6g\n", f.x[0][i], f.T[i]);
     field_free(&f);
     command_run_free(&r);
     fprintf(out, "\n\n# error, %s\ndx [m],E1\n", mean);

@@ -51,7 +51,7 @@ void plate_measure(const struct command_run *run, double t, struct plate_errors 
     double ring = 4.0 * (n - 1);
     *e = (struct plate_errors){.result = run->result};
     for (int k = 0; k < n * n; k++) {
-        double x[2] = {f->x[k], f->y[k]}, exact = command_run_exact(run, x, t);
+        double x[2] = {f->x[0][k % n], f->x[1][k / n]}, exact = command_run_exact(run, x, t);
         int i = k % n, j = k / n;
         int depth = (int)fmin(fmin(i, j), fmin(n - 1 - i, n - 1 - j)), inner = depth >= n / 2 - 2;
         add_point(e, depth, i == 0, inner, f->T[k] - exact, exact);

@@ -70,7 +70,7 @@ static double sawtooth(const struct command_run *run) {
     double most = 0, e[5] = {0};
     for (size_t i = 0; i < f->n; i++) {
         for (int k = 0; k < 4; k++) e[k] = e[k + 1];
-        double x[2] = {f->x[i], 0};
+        double x[2] = {f->x[0][i], 0};
         e[4] = f->T[i] - command_run_exact(run, x, f->time);
         if (i >= 4) most = fmax(most, fabs(e[0] - 4 * e[1] + 6 * e[2] - 4 * e[3] + e[4]) / 16);
     }

@@ -161,7 +161,7 @@ static int write_field(FILE *out, struct failure *why) {
         const struct field *f = &run.field;
         fprintf(out, "\n\n# %s\nx,y,error\n", drawn[k]);
         for (size_t i = 0; i < f->n && !status; i++) {
-            const double x[2] = {f->x[i], f->y[i]};
+            const double x[2] = {f->x[0][i], f->x[1][i]};
             fprintf(out, "%.5f,%.5f,%.3e\n", x[0], x[1],
                     fmax(1e-7, fabs(f->T[i] - command_run_exact(&run, x, f->time))));
         }

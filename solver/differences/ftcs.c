@@ -165,15 +165,13 @@ static void hand_over(struct ftcs_grid *g, struct field *f) {
     int i[DIM_MAX] = {0};
     size_t held = g->held * sizeof *g->T;
     ftcs_grid_keep_T(g);
-    field_alloc(f, g->dim, (size_t)n);
+    field_alloc_lattice(f, g->dim, g->n);
     f->cost.bytes = held;
     if (!has_whole_cells(g)) f->weight = xcalloc((size_t)n, sizeof *f->weight);
     for (ptrdiff_t k = 0; k < n; k++, ftcs_grid_next(g, i)) {
         double x[DIM_MAX];
         ftcs_grid_place(g, i, x);
-        f->x[k] = x[0];
-        if (f->y) f->y[k] = x[1];
-        if (f->z) f->z[k] = x[2];
+        for (int a = 0; a < g->dim; a++) f->x[a][i[a]] = x[a];
         f->T[k] = g->T[ftcs_grid_at(g, i)];
         if (f->weight) f->weight[k] = ftcs_grid_cell(g, i);
     }
@@ -228,7 +226,6 @@ static int solve(const struct method *m, const struct problem *p, const struct o
         double after = heat(&g);
         hand_over(&g, f);
         count(&g, o, f);
-        for (int a = 0; a < DIM_MAX; a++) f->shape[a] = g.n[a];
         for (int a = 0; a < p->dim; a++) f->spacing[a] = g.d[a];
         f->time = p->t_end;
         f->heat[0] = before;

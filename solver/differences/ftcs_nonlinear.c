@@ -250,13 +250,12 @@ static int run(struct cells *c, struct failure *why) {
 
 static void take_start(struct cells *c, enum sampling how, struct field *f) {
     const struct ftcs_grid *g = &c->g;
-    field_alloc(f, g->dim, (size_t)g->n[0] * (size_t)g->n[1]);
+    field_alloc_lattice(f, g->dim, g->n);
     c->lo = INFINITY, c->hi = -INFINITY;
     for (size_t i = 0; i < f->n; i++) {
         size_t nx = (size_t)g->n[0];
         double x[DIM_MAX] = {g->origin[0] + (double)(i % nx) * g->d[0], g->origin[1] + (double)(i / nx) * g->d[1]};
-        f->x[i] = x[0];
-        if (f->y) f->y[i] = x[1];
+        for (int a = 0; a < g->dim; a++) f->x[a][a ? i / nx : i % nx] = x[a];
         f->T[i] = ftcs_sample(c->p, x, g->d, how);
         c->lo = fmin(c->lo, f->T[i]), c->hi = fmax(c->hi, f->T[i]);
     }
@@ -274,7 +273,6 @@ static void report(const struct cells *c, struct field *f) {
     const int dim = c->g.dim;
     f->time = c->p->t_end, f->dt = c->g.dt, f->steps = c->g.steps, f->stages = c->stages;
     f->applications = c->rates - 1; /* the last one is for its range */
-    for (int a = 0; a < DIM_MAX; a++) f->shape[a] = a < dim ? c->g.n[a] : 1;
     for (int a = 0; a < dim; a++) f->spacing[a] = c->g.d[a];
     f->cost.updates = f->applications * (long long)f->n;
     f->cost.interactions = 2 * dim * f->cost.updates;

@@ -239,8 +239,8 @@ static void hand_over(struct polar *g, struct field *f) {
         int ring = (int)(k % (size_t)g->rings), line = (int)(k / (size_t)g->rings);
         double x[DIM_MAX];
         point(g, line, ftcs_polar_radius(g, ring), x);
-        f->x[k] = x[0], f->y[k] = x[1], f->T[k] = g->T[k], f->weight[k] = volume(g, ring, line);
-        if (f->z) f->z[k] = x[2];
+        field_put(f, k, x);
+        f->T[k] = g->T[k], f->weight[k] = volume(g, ring, line);
     }
     count(g, f);
 }

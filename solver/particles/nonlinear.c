@@ -155,8 +155,7 @@ static void start(const struct problem *p, const struct options *o, const struct
     for (size_t i = 0; i < f->n; i++) {
         double x[DIM_MAX];
         layout_cloud_place(c, i, x);
-        f->x[i] = x[0];
-        if (f->y) f->y[i] = x[1];
+        field_put(f, i, x);
         f->T[i] = sample_initial(p, o->sampling, l->dx, x);
         f->range[0] = fmin(f->range[0], f->T[i]), f->range[1] = fmax(f->range[1], f->T[i]);
     }

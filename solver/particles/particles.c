@@ -56,7 +56,7 @@ static double heat_content(const struct problem *p, const struct field *f, const
         for (; i < f->n; i++) sum[i % 4] += f->T[i];
     }
     for (; i < f->n; i++) {
-        double held = rho_c ? rho_c[i] : layout_rho_c(p, cell, f->x[i]);
+        double x[DIM_MAX], held = rho_c ? rho_c[i] : layout_rho_c(p, cell, field_place(f, i, x)[0]);
         all += held * f->T[i] * (f->weight ? f->weight[i] : volume);
     }
     return all + p->material[0].rho_c * ((sum[0] + sum[1]) + (sum[2] + sum[3])) * volume;
@@ -83,33 +83,26 @@ static void find_range(const struct field *f, double range[2]) {
  * half of the range, as for a run. */
 static int check_start(const struct field *f, struct failure *why) {
     double slack = (f->range[1] - f->range[0]) / 2 + 1e-9 * fmax(fabs(f->range[0]), fabs(f->range[1]));
-    for (size_t i = 0; i < f->n; i++)
-        if (!(f->T[i] >= f->range[0] - slack && f->T[i] <= f->range[1] + slack))
-            return refuse(why, STATUS_NUMERICAL,
-                          "the initial temperature of particle %zu at %.6g m is %.4g K, the data are in [%.4g, %.4g] "
-                          "K; use another "
-                          "--sampling, --h or layout",
-                          i, f->x[i], f->T[i], f->range[0], f->range[1]);
+    for (size_t i = 0; i < f->n; i++) {
+        if (f->T[i] >= f->range[0] - slack && f->T[i] <= f->range[1] + slack) continue;
+        double x[DIM_MAX];
+        char place[PLACE_TEXT];
+        return refuse(why, STATUS_NUMERICAL,
+                      "the initial temperature of particle %zu at %s is %.4g K, the data are in [%.4g, %.4g] K; use "
+                      "another --sampling, --h or layout",
+                      i, problem_place(f->dim, field_place(f, i, x), place), f->T[i], f->range[0], f->range[1]);
+    }
     return STATUS_OK;
 }
 
 static void place_on_lattice(const struct lattice *l, struct field *f) {
-    double *const to[DIM_MAX] = {f->x, f->y, f->z};
-    size_t run = 1; /* particles with the same coordinate */
-    for (int a = 0; a < l->dim; run *= (size_t)l->n[a++]) {
-        size_t n = (size_t)l->n[a];
-        double x[DIM_MAX];
-        for (size_t i = 0; i < n; i++) {
-            layout_position(l, (int)i, (int)i, (int)i, x);
-            for (size_t r = 0; r < run; r++) to[a][i * run + r] = x[a];
+    field_alloc_lattice(f, l->dim, l->n);
+    for (int a = 0; a < l->dim; a++)
+        for (int i = 0; i < l->n[a]; i++) {
+            double x[DIM_MAX];
+            layout_position(l, i, i, i, x);
+            f->x[a][i] = x[a];
         }
-        for (size_t past = n * run; past < f->n; past += n * run) memcpy(to[a] + past, to[a], n * run * sizeof **to);
-    }
-}
-
-/* But on a rod, particles with rows are ordered by cells. */
-static int on_lattice(const struct problem *p, const struct options *o, int rows) {
-    return !options_is_cloud(o) && !(rows && p->dim > 1);
 }
 
 double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l) {
@@ -137,9 +130,9 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
     field_alloc(f, p->dim, c.n);
     if (!status && averages_cells(o, s)) status = voronoi_average(p, &c, o->threads, f->T, why);
     for (size_t i = 0; i < c.n; i++) {
-        f->x[i] = c.x[i];
-        if (f->y) f->y[i] = c.y[i];
-        if (f->z) f->z[i] = c.z[i];
+        double x[DIM_MAX];
+        layout_cloud_place(&c, i, x);
+        field_put(f, i, x);
     }
     f->weight = a->volume, a->volume = NULL;
     if (!f->weight) f->weight = c.cell, c.cell = NULL;
@@ -169,15 +162,13 @@ static int place(const struct problem *p, const struct options *o, const struct 
                  int rows, struct heat_operator *a, struct field *f, struct failure *why) {
     if (rows) {
         if (place_cloud(p, o, s, l, a, f, why)) return why->status;
+        int ordered = p->dim == 1 && !options_is_cloud(o); /* else by cells */
+        for (int d = 0; d < DIM_MAX && ordered; d++) f->shape[d] = d ? 1 : (int)f->n;
     } else {
-        field_alloc(f, p->dim, (size_t)l->n[0] * (size_t)l->n[1] * (size_t)l->n[2]);
-        if (operator_create_lattice(a, p, o, s, l, why)) return why->status;
         place_on_lattice(l, f);
+        if (operator_create_lattice(a, p, o, s, l, why)) return why->status;
     }
-    for (int d = 0; d < DIM_MAX; d++) {
-        f->shape[d] = on_lattice(p, o, rows) ? l->n[d] : 0;
-        f->spacing[d] = d < p->dim ? l->dx[d] : 0;
-    }
+    for (int d = 0; d < p->dim; d++) f->spacing[d] = l->dx[d];
     return STATUS_OK;
 }
 
@@ -187,8 +178,8 @@ static int set_start(const struct problem *p, const struct options *o, const str
     if (!rows) sample_lattice(p, o->sampling, l, f->T);
     if (options_is_matched(o) && !rows) matched_source(p, o, a, f->T);
     for (size_t i = 0; i < f->n && rows && !averages_cells(o, s); i++) {
-        double x[DIM_MAX] = {f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0};
-        f->T[i] = start_at(p, o, l, x);
+        double x[DIM_MAX];
+        f->T[i] = start_at(p, o, l, field_place(f, i, x));
     }
     find_range(f, f->range);
     if (start_is_kept(p, o, s) && start_keep_heat(p, o, s, f, why)) return why->status;

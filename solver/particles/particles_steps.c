@@ -99,7 +99,8 @@ static double heat_added(const struct problem *p, const struct field *f, const d
     double source = 0, add = 0, rho_c = p->material[0].rho_c;
     for (int m = 1; m < p->materials; m++) rho_c = fmin(rho_c, p->material[m].rho_c);
     for (size_t i = 0; i < f->n && p->source; i++) {
-        double x[DIM_MAX] = {f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0};
+        double x[DIM_MAX];
+        field_place(f, i, x);
         source = fmax(source, fmax(fabs(p->source(p, x)), fabs(problem_source(p, x, p->t_end))));
     }
     for (int s = 0; s < 2 * p->dim; s++) {

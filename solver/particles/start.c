@@ -97,11 +97,11 @@ int start_keep_heat(const struct problem *p, const struct options *o, const stru
     int status = start_kept(&a, side[0] + side[1], l, why);
     double more = -side[1], near = 0; /* excess heat capacity of the second side; sum of l near the contact */
     for (size_t i = 0; i < f->n; i++) {
-        if (layout_material(p, f->x[i]) == 1) more += l[i];
-        if (fabs(f->x[i] - p->interface) < support) near += l[i];
+        if (layout_material(p, f->x[0][i]) == 1) more += l[i];
+        if (fabs(f->x[0][i] - p->interface) < support) near += l[i];
     }
     for (size_t i = 0; i < f->n && !status; i++) {
-        double x[2] = {f->x[i], 0};
+        double x[2] = {f->x[0][i], 0};
         if (fabs(x[0] - p->interface) < support) f->T[i] = p->initial(p, x) - jump * more / near;
     }
     free(l);

@@ -97,8 +97,10 @@ void layout_mirror(const struct problem *p, const struct options *o, const struc
 }
 
 static void take_places(const struct field *from, struct cloud *c) {
-    memcpy(c->x, from->x, c->n * sizeof *c->x);
-    if (from->y) memcpy(c->y, from->y, c->n * sizeof *c->y);
+    for (size_t i = 0; i < c->n; i++) {
+        double x[DIM_MAX];
+        layout_cloud_put(c, i, field_place(from, i, x));
+    }
 }
 
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,

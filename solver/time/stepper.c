@@ -55,8 +55,8 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
     free(T);
     if (m->field) {
         const struct field *f = m->field;
-        double x[DIM_MAX] = {f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0};
-        snprintf(where, sizeof where, " at %s", problem_place(f->dim, x, place));
+        double x[DIM_MAX];
+        snprintf(where, sizeof where, " at %s", problem_place(f->dim, field_place(f, i, x), place));
     }
     const char *reason = stepper_of(m->stepper)->order == 0
                              ? "a mode grows, or the spectrum is not near the real axis"

@@ -70,16 +70,16 @@ static void print_json(const struct result *r) {
     json_end(&j);
 }
 
-/* x[,y],T,exact in m and K, one line per point. */
+/* x[,y[,z]],T,exact in m and K, one line per point. */
 static int write_field(const struct run_options *r, const struct field *f, struct failure *why) {
     struct output page;
     FILE *out = output_open(&page, "%s", r->field_path);
-    fprintf(out, "%s,T,exact\n", f->dim == 2 ? "x,y" : "x");
+    fprintf(out, "%.*s,T,exact\n", 2 * f->dim - 1, "x,y,z");
     struct snapshot exact = snapshot_take(r->command.experiment.scene, &r->command.experiment.problem, f->time);
     for (size_t i = 0; i < f->n; i++) {
-        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-        fprintf(out, "%.17g,", x[0]);
-        if (f->dim == 2) fprintf(out, "%.17g,", x[1]);
+        double x[DIM_MAX];
+        field_place(f, i, x);
+        for (int a = 0; a < f->dim; a++) fprintf(out, "%.17g,", x[a]);
         fprintf(out, "%.17g,%.17g\n", f->T[i], snapshot_at(&exact, x).temperature);
     }
     snapshot_free(&exact);

@@ -35,9 +35,9 @@ struct candidate_fault {
 
 /* dx^2/24 laplace(T) of the initial data, K, by differences within the cell; NAN next to a side. */
 static double start_mean(const struct problem *p, const struct diagnosis_rung *r, size_t i) {
-    const double d = r->dx / 8,
-                 at[DIM_MAX] = {r->field->x[i], r->field->y ? r->field->y[i] : 0, r->field->z ? r->field->z[i] : 0};
-    double sum = 0;
+    const double d = r->dx / 8;
+    double at[DIM_MAX], sum = 0;
+    field_place(r->field, i, at);
     for (int a = 0; a < p->dim; a++) {
         double above[DIM_MAX] = {at[0], at[1], at[2]}, below[DIM_MAX] = {at[0], at[1], at[2]};
         above[a] += d, below[a] -= d;
@@ -101,15 +101,16 @@ static int list_faults(const struct problem *p, struct fault *list) {
 /* Outward displacement, m, of the jumps of the initial data, if they are midway between the adjacent points along an
  * axis; 0 if they do not agree. */
 static double displacement(const struct problem *p, int axis, const struct diagnosis_rung *r) {
-    const double *const by_axis[DIM_MAX] = {r->field->x, r->field->y, r->field->z}, *x = by_axis[axis];
     double out = 0;
     for (int k = 0; k < p->jumps[axis]; k++) {
         double at = p->jump[axis][k], below = -INFINITY, above = INFINITY;
-        for (size_t i = 0; i < r->field->n; i++)
-            if (x[i] < at)
-                below = fmax(below, x[i]);
+        for (size_t i = 0; i < r->field->n; i++) {
+            double x[DIM_MAX], place = field_place(r->field, i, x)[axis];
+            if (place < at)
+                below = fmax(below, place);
             else
-                above = fmin(above, x[i]);
+                above = fmin(above, place);
+        }
         double moved = (2 * k < p->jumps[axis] ? -1 : 1) * ((below + above) / 2 - at);
         if (k && fabs(moved - out) > 1e-6 * r->dx) return 0;
         out = moved;
@@ -168,9 +169,8 @@ static struct diagnosis_rung sample(const struct diagnosis_rung *r, struct field
     field_alloc(f, r->field->dim, n);
     f->weight = r->field->weight ? xcalloc(n, sizeof *f->weight) : NULL;
     for (size_t i = 0; i < n; i++) {
-        f->x[i] = r->field->x[i * stride];
-        if (f->y) f->y[i] = r->field->y[i * stride];
-        if (f->z) f->z[i] = r->field->z[i * stride];
+        double x[DIM_MAX];
+        field_put(f, i, field_place(r->field, i * stride, x));
         if (f->weight) f->weight[i] = r->field->weight[i * stride];
         f->T[i] = r->field->T[i * stride];
         exact[i] = r->exact[i * stride];
@@ -392,15 +392,11 @@ double diagnosis_effect(const struct problem *p, const struct diagnosis *d, doub
     int failed = response_take(p, &l, fault, fault_bends(fault.kind) || fault.kind == FAULT_NEAR_WALL ? size : 0, &r);
     if (!failed) {
         struct field f;
-        size_t n = (size_t)(l.n[0] * l.n[1] * l.n[2]);
-        field_alloc(&f, p->dim, n);
-        for (size_t i = 0; i < n; i++) {
-            double *const x[DIM_MAX] = {&f.x[i], f.y ? &f.y[i] : NULL, f.z ? &f.z[i] : NULL};
-            for (int a = 0, rest = (int)i; a < p->dim; rest /= l.n[a++])
-                *x[a] = p->lo[a] + (rest % l.n[a] + 0.5) * l.dx;
-        }
+        field_alloc_lattice(&f, p->dim, l.n);
+        for (int a = 0; a < p->dim; a++)
+            for (int i = 0; i < l.n[a]; i++) f.x[a][i] = p->lo[a] + (i + 0.5) * l.dx;
         response_at(&r, &l, &f, l.T, f.T);
-        for (size_t i = 0; i < n; i++) sum += fabs(size * f.T[i]), whole += fabs(l.T[i] - zero);
+        for (size_t i = 0; i < f.n; i++) sum += fabs(size * f.T[i]), whole += fabs(l.T[i] - zero);
         field_free(&f);
         response_free(&r);
     }

@@ -52,7 +52,7 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
     struct field f;
     *l = (struct response_lattice){.dx = (p->hi[0] - p->lo[0]) / n};
     if (solve(p, l->dx, FOURIER, MEAN_SERIES, &f)) return -1;
-    for (int a = 0; a < DIM_MAX; a++) l->n[a] = a < p->dim ? f.shape[a] : 1;
+    memcpy(l->n, f.shape, sizeof l->n);
     l->T = f.T;
     f.T = NULL;
     field_free(&f);
@@ -79,9 +79,11 @@ static void along_rod(const gsl_interp_type *type, const double *x, const double
     gsl_interp_accel *near = gsl_interp_accel_alloc();
     gsl_spline_init(spline, x, D, n);
     for (size_t i = 0; i < f->n; i++) {
-        double at = fmin(fmax(f->x[i], x[0]), x[n - 1]);
+        double to[DIM_MAX];
+        field_place(f, i, to);
+        double at = fmin(fmax(to[0], x[0]), x[n - 1]);
         out[i] = gsl_spline_eval(spline, at, near);
-        if (at != f->x[i]) out[i] += (f->x[i] - at) * gsl_spline_eval_deriv(spline, at, near);
+        if (at != to[0]) out[i] += (to[0] - at) * gsl_spline_eval_deriv(spline, at, near);
     }
     gsl_interp_accel_free(near);
     gsl_spline_free(spline);
@@ -92,12 +94,14 @@ static void in_plane(double *const x[2], const double *D, const int n[2], const 
     gsl_interp_accel *near[2] = {gsl_interp_accel_alloc(), gsl_interp_accel_alloc()};
     gsl_spline2d_init(spline, x[0], x[1], D, (size_t)n[0], (size_t)n[1]);
     for (size_t i = 0; i < f->n; i++) {
-        double at[2] = {fmin(fmax(f->x[i], x[0][0]), x[0][n[0] - 1]), fmin(fmax(f->y[i], x[1][0]), x[1][n[1] - 1])};
+        double to[DIM_MAX], at[2];
+        field_place(f, i, to);
+        for (int a = 0; a < 2; a++) at[a] = fmin(fmax(to[a], x[a][0]), x[a][n[a] - 1]);
         out[i] = gsl_spline2d_eval(spline, at[0], at[1], near[0], near[1]);
-        if (at[0] != f->x[i])
-            out[i] += (f->x[i] - at[0]) * gsl_spline2d_eval_deriv_x(spline, at[0], at[1], near[0], near[1]);
-        if (at[1] != f->y[i])
-            out[i] += (f->y[i] - at[1]) * gsl_spline2d_eval_deriv_y(spline, at[0], at[1], near[0], near[1]);
+        if (at[0] != to[0])
+            out[i] += (to[0] - at[0]) * gsl_spline2d_eval_deriv_x(spline, at[0], at[1], near[0], near[1]);
+        if (at[1] != to[1])
+            out[i] += (to[1] - at[1]) * gsl_spline2d_eval_deriv_y(spline, at[0], at[1], near[0], near[1]);
     }
     for (int a = 0; a < 2; a++) gsl_interp_accel_free(near[a]);
     gsl_spline2d_free(spline);
@@ -116,9 +120,9 @@ static int cubic_weights(const double *x, int n, double at, double w[4]) {
 
 static void in_space(double *const x[], const double *D, const int n[], const struct field *f, double *out) {
     for (size_t i = 0; i < f->n; i++) {
-        const double at[DIM_MAX] = {f->x[i], f->y[i], f->z[i]};
-        double w[DIM_MAX][4], sum = 0;
+        double at[DIM_MAX], w[DIM_MAX][4], sum = 0;
         int first[DIM_MAX];
+        field_place(f, i, at);
         for (int a = 0; a < DIM_MAX; a++) first[a] = cubic_weights(x[a], n[a], at[a], w[a]);
         for (int k = 0; k < 64; k++) {
             int c = first[0] + k % 4 + n[0] * (first[1] + k / 4 % 4 + n[1] * (first[2] + k / 16));
@@ -204,8 +208,7 @@ int response_at_corner(const struct problem *p, double dx, struct fault fault, c
     if (solve(p, dx, 4 * FOURIER, MEAN_SERIES, &right)) return -1;
     int failed = solve(&with.problem, dx, 4 * FOURIER, MEAN_SERIES, &faulty);
     if (!failed) {
-        struct response_lattice l = {
-            {right.shape[0], right.shape[1], p->dim == 3 ? right.shape[2] : 1}, dx, right.T, NULL};
+        struct response_lattice l = {{right.shape[0], right.shape[1], right.shape[2]}, dx, right.T, NULL};
         for (size_t i = 0; i < right.n; i++) right.T[i] = faulty.T[i] - right.T[i];
         carry(&with, &l, l.T, f, response);
         field_free(&faulty);

@@ -82,7 +82,7 @@ static void hand_over(struct samples *s, const struct problem *p, struct field *
         coldest = fmin(coldest, start), hottest = fmax(hottest, start);
     }
     *f = (struct field){.dim = s->dim, .n = s->n, .range = {coldest, hottest}, .heat = {NAN, NAN}};
-    double **const to[COLUMN_COUNT] = {&f->x, &f->y, &f->z, &f->T, &f->weight};
+    double **const to[COLUMN_COUNT] = {&f->x[0], &f->x[1], &f->x[2], &f->T, &f->weight};
     for (int k = 0; k < COLUMN_COUNT; k++)
         if (k < s->dim || k >= COLUMN_T) *to[k] = s->value[k], s->value[k] = NULL;
     f->time = p->t_end;

@@ -51,12 +51,10 @@ const char program_help[] =
 static void map_points(const struct mapping *m, struct field *f,
                        void (*place)(const struct mapping *m, int dim, const double *from, double to[DIM_MAX]),
                        double (*temperature)(const struct mapping *m, double T)) {
-    double *const by_axis[DIM_MAX] = {f->x, f->y, f->z};
     for (size_t i = 0; i < f->n; i++) {
         double x[DIM_MAX], at[DIM_MAX];
-        for (int a = 0; a < f->dim; a++) x[a] = by_axis[a][i];
-        place(m, f->dim, x, at);
-        for (int a = 0; a < f->dim; a++) by_axis[a][i] = at[a];
+        place(m, f->dim, field_place(f, i, x), at);
+        field_put(f, i, at);
         f->T[i] = temperature(m, f->T[i]);
     }
 }
@@ -68,7 +66,7 @@ static double *copy_of(const double *value, size_t n) {
 struct field program_as_given(const struct program *g, const struct field *f, double *exact) {
     const struct mapping *m = &g->map;
     struct field copy = *f;
-    copy.x = copy_of(f->x, f->n), copy.y = copy_of(f->y, f->n), copy.z = copy_of(f->z, f->n);
+    for (int a = 0; a < f->dim; a++) copy.x[a] = copy_of(f->x[a], f->n);
     copy.T = copy_of(f->T, f->n), copy.weight = copy_of(f->weight, f->n);
     if (mapping_is_none(m)) return copy;
     map_points(m, &copy, mapping_to_case, mapping_temperature);

@@ -62,7 +62,8 @@ double command_run_error(const struct command_run *run, int decimals, double lat
     const struct field *f = &run->field;
     double apart = 0, whole = 0, unit = pow(10, -decimals), t = f->time + late;
     for (size_t i = 0; i < f->n; i++) {
-        double x[2] = {f->x[i], f->y ? f->y[i] : 0}, w = f->weight ? f->weight[i] : 1;
+        double x[DIM_MAX], w = f->weight ? f->weight[i] : 1;
+        field_place(f, i, x);
         double T = e->scene->published ? e->scene->published(&e->problem, x, t) : command_run_exact(run, x, t);
         if (decimals) T = unit * round(T / unit);
         apart += w * fabs(f->T[i] - T);

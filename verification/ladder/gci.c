@@ -208,8 +208,8 @@ static int compare_fields(struct gci *g, const struct samples *s, const struct i
 static int probe(struct gci *g, const struct interpolate *f, const struct numbers *at, struct failure *why) {
     char name[GCI_NAME];
     const double *x = at->value;
-    if (at->count != f->dim)
-        return refuse(why, STATUS_INPUT, "--at: %d numbers, the points have %d", at->count, f->dim);
+    const int dim = f->field->dim;
+    if (at->count != dim) return refuse(why, STATUS_INPUT, "--at: %d numbers, the points have %d", at->count, dim);
     snprintf(name, sizeof name, "T at %g", x[0]);
     for (int a = 1; a < at->count; a++) words_add(name, sizeof name, ", %g", x[a]);
     struct gci_row *row = add(g, name);
@@ -229,13 +229,18 @@ static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map 
             status = refuse(why, STATUS_INPUT, "%.200s has points of %d coordinates, %.200s of %d", path[i], s[i].dim,
                             path[0], s[0].dim);
     struct interpolate *f = xcalloc((size_t)g->n, sizeof *f);
-    for (int i = 0; i < g->n && !status; i++)
-        f[i] = interpolate_begin(s[i].path, s[i].dim, s[i].n, s[i].value[COLUMN_X], s[i].value[COLUMN_Y],
-                                 s[i].value[COLUMN_Z], s[i].value[COLUMN_T]);
+    struct field *view = xcalloc((size_t)g->n, sizeof *view); /* shares the arrays of the samples */
+    for (int i = 0; i < g->n && !status; i++) {
+        double *const *value = s[i].value;
+        view[i] = (struct field){.dim = s[i].dim, .n = s[i].n, .T = value[COLUMN_T]};
+        for (int a = 0; a < s[i].dim; a++) view[i].x[a] = value[COLUMN_X + a];
+        f[i] = interpolate_begin(s[i].path, &view[i]);
+    }
     if (!status) status = compare_fields(g, s, f, why);
     if (!status && at->count) status = probe(g, f, at, why);
     for (int i = 0; i < g->n; i++) interpolate_end(&f[i]);
     free(f);
+    free(view);
     for (int i = 0; i < read; i++) samples_free(&s[i]);
     free(s);
     return status;

@@ -38,9 +38,10 @@ static int by_place(const void *a, const void *b) {
 /* The points in sorted order, since an external program may write them in any. */
 static struct place *sorted(const struct field *f) {
     struct place *at = xcalloc(f->n, sizeof *at);
-    for (size_t i = 0; i < f->n; i++)
-        at[i] =
-            (struct place){{f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0}, f->T[i], f->weight ? f->weight[i] : 1};
+    for (size_t i = 0; i < f->n; i++) {
+        field_place(f, i, at[i].x);
+        at[i].T = f->T[i], at[i].w = f->weight ? f->weight[i] : 1;
+    }
     qsort(at, f->n, sizeof *at, by_place);
     return at;
 }

@@ -23,9 +23,8 @@
 static struct lattice lattice_of(const struct problem *p, const struct field *f) {
     struct lattice l = {.dim = f->dim, .n = {1, 1, 1}};
     for (int a = 0; a < f->dim; a++) l.n[a] = f->shape[a];
-    const double *const at[DIM_MAX] = {f->x, f->y, f->z};
     for (int s = 0; s < 2 * f->dim; s++) {
-        const double *x = at[s / 2];
+        const double *x = f->x[s / 2];
         int half = fabs((x[0] - p->lo[s / 2]) / f->spacing[s / 2] - 0.5) < 0.25;
         l.sign[s] = p->side[s] == DIRICHLET ? -1 : 1;
         l.shift[s] = half ? 0 : l.sign[s];

@@ -92,8 +92,7 @@ static int heat(const struct problem *p, struct interpolate *f, double dx, doubl
 
 int derived_value(const struct quantity *q, const struct problem *p, const struct field *field, double dx,
                   double *value, struct failure *why) {
-    struct interpolate f =
-        interpolate_begin("the field", field->dim, field->n, field->x, field->y, field->z, field->T);
+    struct interpolate f = interpolate_begin("the field", field);
     int status;
     if (p->materials == 2 && q->kind == QUANTITY_AT) { /* one polynomial must not extend across the kink */
         f.from = q->at[0] >= p->interface ? p->interface : -INFINITY;

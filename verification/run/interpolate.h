@@ -4,26 +4,23 @@
 
 /* Temperatures and gradients between scattered points. */
 
-#include "solver/problem.h"
+#include "solver/field.h"
 
 #include <stddef.h>
 
 struct failure;
 
 struct interpolate {
-    const char *name; /* name of the field, for messages */
-    int dim;
-    size_t n;
-    const double *x[DIM_MAX], *T;      /* m, by axis; K */
+    const char *name;                  /* name of the field, for messages */
+    const struct field *field;         /* its points and temperatures */
     double from, to;                   /* uses only points with from <= x <= to: one side of a kink */
     double lo[DIM_MAX], side[DIM_MAX]; /* boxes of about two points each */
     size_t count[DIM_MAX];
     size_t *first, *point; /* owned: the points sorted by box */
 };
 
-/* Sorts the points into boxes; the caller keeps the arrays.  Release with interpolate_end. */
-struct interpolate interpolate_begin(const char *name, int dim, size_t n, const double *x, const double *y,
-                                     const double *z, const double *T);
+/* Sorts the points into boxes; the caller keeps the field.  Release with interpolate_end. */
+struct interpolate interpolate_begin(const char *name, const struct field *field);
 void interpolate_end(struct interpolate *f);
 
 /* Value and gradient at x of the polynomial of degree five through the 6 nearest points of a rod, or fitted by least

@@ -9,12 +9,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static void point(const struct field *f, size_t i, double x[DIM_MAX]) {
-    x[0] = f->x[i];
-    x[1] = f->y ? f->y[i] : 0;
-    x[2] = f->z ? f->z[i] : 0;
-}
-
 static double weight(const struct field *f, size_t i) {
     return f->weight ? f->weight[i] : 1;
 }
@@ -25,7 +19,12 @@ enum { CHUNK = 2000 }; /* points per evaluation */
 static void exact_chunk(const struct snapshot *now, const struct field *f, size_t first, double *T, double *bound) {
     size_t n = f->n - first < CHUNK ? f->n - first : CHUNK;
     struct exact *e = xcalloc(n, sizeof *e);
-    snapshot_at_points(now, n, f->x + first, f->y ? f->y + first : NULL, f->z ? f->z + first : NULL, e);
+    double at[DIM_MAX], x[DIM_MAX][CHUNK];
+    for (size_t i = 0; i < n; i++) {
+        field_place(f, first + i, at);
+        for (int a = 0; a < DIM_MAX; a++) x[a][i] = at[a];
+    }
+    snapshot_at_points(now, n, x[0], f->dim > 1 ? x[1] : NULL, f->dim > 2 ? x[2] : NULL, e);
     for (size_t i = 0; i < n; i++) {
         T[first + i] = e[i].no_value ? NORMS_NO_VALUE : isfinite(e[i].temperature) ? e[i].temperature : NAN;
         bound[first + i] = e[i].error_bound;
@@ -75,8 +74,7 @@ static unsigned char *points_that_count(const struct problem *p, const struct fi
 #pragma omp parallel for if (f->n >= NORMS_MANY)
     for (size_t i = 0; i < f->n; i++) {
         double x[DIM_MAX];
-        point(f, i, x);
-        int near = part != NORMS_ALL && shape_depth(p, x) < distance;
+        int near = part != NORMS_ALL && shape_depth(p, field_place(f, i, x)) < distance;
         counts[i] = exact[i] != NORMS_NO_VALUE && part != (near ? NORMS_INTERIOR : NORMS_BOUNDARY);
     }
     return counts;
@@ -128,8 +126,7 @@ static void widen(const struct problem *p, const struct field *f, double *lo, do
 #pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (n >= NORMS_MANY)
         for (size_t i = 0; i < n; i++) {
             double x[DIM_MAX];
-            point(f, i, x);
-            struct foot foot = shape_foot(p, s, x);
+            struct foot foot = shape_foot(p, s, field_place(f, i, x));
             problem_wall_range(p, (enum side)s, foot.x, &coldest, &hottest);
         }
     }

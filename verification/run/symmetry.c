@@ -63,13 +63,18 @@ static void restore(struct field *f, const struct problem *whole, const int cut[
     for (int a = 0; a < DIM_MAX; a++) n[a] = f->shape[a], f->shape[a] *= cut[a] ? 2 : 1, copies *= cut[a] ? 2 : 1;
     f->n *= (size_t)copies;
     for (int a = 0; a < 2; a++) f->heat[a] *= copies;
-    double **const arrays[] = {&f->x, &f->y, &f->z, &f->T, &f->weight};
-    for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++) *arrays[k] = restore_array(*arrays[k], f, n, cut);
-    double *const x[DIM_MAX] = {f->x, f->y, f->z};
-    size_t run = 1; /* points with the same coordinate */
-    for (int a = 0; a < f->dim; run *= (size_t)f->shape[a++])
-        for (size_t i = 0; i < f->n && cut[a]; i++) /* the lower side is the mirror image */
-            if (i / run % (size_t)f->shape[a] < (size_t)n[a]) x[a][i] = whole->lo[a] + whole->hi[a] - x[a][i];
+    f->T = restore_array(f->T, f, n, cut);
+    f->weight = restore_array(f->weight, f, n, cut);
+    for (int a = 0; a < f->dim; a++) {
+        double *part = f->x[a];
+        if (!cut[a]) continue;
+        f->x[a] = xcalloc(2 * (size_t)n[a], sizeof *part);
+        for (int i = 0; i < n[a]; i++) {
+            f->x[a][n[a] - 1 - i] = whole->lo[a] + whole->hi[a] - part[i];
+            f->x[a][n[a] + i] = part[i];
+        }
+        free(part);
+    }
 }
 
 int symmetry_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,

@@ -48,7 +48,7 @@ static int try_steps(struct search *s, double steps, struct trial *t, struct fai
     struct options with = s->e->options;
     with.dt = s->e->problem.t_end / steps;
     with.fourier = 0;
-    if (s->coarse.field.x) with.placed = &s->coarse.field;
+    if (s->coarse.field.n) with.placed = &s->coarse.field;
     t->steps = steps;
     int status = symmetry_solve(s->e->method, &s->e->problem, &with, &t->field, why);
     if (!status) s->updates += t->field.cost.updates;

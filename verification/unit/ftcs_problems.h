@@ -93,22 +93,19 @@ static inline struct field solved(const struct method *m, const struct problem *
 static inline double mode_error(const struct problem *p, const struct field *f, double factor) {
     double worst = 0;
     for (size_t i = 0; i < f->n; i++) {
-        double x[DIM_MAX] = {f->x[i], f->y ? f->y[i] : 0, f->z ? f->z[i] : 0};
+        double x[DIM_MAX];
+        field_place(f, i, x);
         double want = p->param[2] + factor * (mode(p, x) - p->param[2]);
         worst = fmax(worst, fabs(f->T[i] - want));
     }
     return worst;
 }
 
-static inline void place(const struct field *f, size_t i, double x[DIM_MAX]) {
-    x[0] = f->x[i], x[1] = f->y ? f->y[i] : 0, x[2] = f->z ? f->z[i] : 0;
-}
-
 /* Largest |T - the initial data of p|. */
 static inline double furthest_from_start(const struct problem *p, const struct field *f) {
     double worst = 0, x[DIM_MAX];
     for (size_t i = 0; i < f->n; i++) {
-        place(f, i, x);
+        field_place(f, i, x);
         double apart = fabs(f->T[i] - p->initial(p, x));
         if (!(apart <= worst)) worst = apart;
     }

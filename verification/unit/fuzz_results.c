@@ -14,9 +14,11 @@
 #include <math.h>
 
 static void check(const struct field *f, int dim) {
-    fuzz_require(f->n > 0 && f->x && f->T && (dim == 1 || f->y));
+    fuzz_require(f->n > 0 && f->T);
+    for (int a = 0; a < dim; a++) fuzz_require(f->x[a] != NULL);
     for (size_t i = 0; i < f->n; i++) {
-        fuzz_require(isfinite(f->x[i]) && isfinite(f->T[i]) && (dim == 1 || isfinite(f->y[i])));
+        for (int a = 0; a < dim; a++) fuzz_require(isfinite(f->x[a][i]));
+        fuzz_require(isfinite(f->T[i]));
         fuzz_require(!f->weight || f->weight[i] >= 0);
     }
 }

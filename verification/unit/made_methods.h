@@ -32,8 +32,8 @@ static inline int answer(const struct problem *p, const struct options *o, int o
     field_alloc(f, 1, (size_t)n);
     f->time = p->t_end, f->dt = dt, f->steps = (long long)steps, f->stages = 1;
     for (int i = 0; i < n; i++) {
-        f->x[i] = p->lo[0] + (i + 0.5) * (p->hi[0] - p->lo[0]) / n;
-        double x[2] = {f->x[i], 0};
+        f->x[0][i] = p->lo[0] + (i + 0.5) * (p->hi[0] - p->lo[0]) / n;
+        double x[2] = {f->x[0][i], 0};
         f->T[i] = scene_exact(scene_find("rod-gauss"), p, x, p->t_end).temperature *
                   (1 + C * pow(o->dx, 2) + D * pow(dt, order));
     }

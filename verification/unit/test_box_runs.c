@@ -59,9 +59,8 @@ static double cubic_wall(const struct problem *p, enum side s, const double *x, 
 
 static double farthest(const struct method *m, const struct problem *p, const struct options *o) {
     struct field f = solved(m, p, o);
-    double most = 0;
-    for (size_t i = 0; i < f.n; i++)
-        most = fmax(most, fabs(f.T[i] - p->initial(p, (const double[]){f.x[i], f.y[i], f.z[i]})));
+    double most = 0, x[DIM_MAX];
+    for (size_t i = 0; i < f.n; i++) most = fmax(most, fabs(f.T[i] - p->initial(p, field_place(&f, i, x))));
     field_free(&f);
     return most;
 }

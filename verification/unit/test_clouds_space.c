@@ -454,7 +454,13 @@ static void exchange_of_axes_exchanges_the_field(void **state) {
         assert_int_equal(f.n, h.n);
         for (size_t i = 0; i < f.n; i++) {
             size_t j = 0;
-            while (j < h.n && fabs(h.x[j] - f.y[i]) + fabs(h.y[j] - f.z[i]) + fabs(h.z[j] - f.x[i]) > 1e-9) j++;
+            double x[DIM_MAX], y[DIM_MAX], apart = 1;
+            field_place(&f, i, x);
+            for (; j < h.n; j++) {
+                field_place(&h, j, y);
+                apart = fabs(y[0] - x[1]) + fabs(y[1] - x[2]) + fabs(y[2] - x[0]);
+                if (apart <= 1e-9) break;
+            }
             assert_order(j, <, h.n);
             assert_near(h.T[j], f.T[i], 1e-11);
         }

@@ -25,9 +25,9 @@ static void fill(struct field *f) {
     for (int j = 0; j < 12; j++)
         for (int i = 0; i < 30; i++) {
             size_t k = (size_t)(30 * j + i);
-            f->x[k] = -1 + 0.1 * (i + 0.5) + 0.03 * sin(7.0 * i + 3.0 * j);
-            f->y[k] = 0.5 + 0.1 * (j + 0.5) + 0.03 * cos(5.0 * i + 11.0 * j);
-            f->T[k] = T(f->x[k], f->y[k]);
+            f->x[0][k] = -1 + 0.1 * (i + 0.5) + 0.03 * sin(7.0 * i + 3.0 * j);
+            f->x[1][k] = 0.5 + 0.1 * (j + 0.5) + 0.03 * cos(5.0 * i + 11.0 * j);
+            f->T[k] = T(f->x[0][k], f->x[1][k]);
         }
 }
 
@@ -69,8 +69,8 @@ static void heat_by_many_panels(void **state) {
     double value;
     field_alloc(&f, 2, 30 * 50);
     for (size_t k = 0; k < f.n; k++) {
-        f.x[k] = 0.1 * ((double)(k % 30) + 0.5), f.y[k] = 0.1 * ((double)(k / 30) + 0.5);
-        f.T[k] = 1 + cos(f.x[k]) * cos(2 * f.y[k]);
+        f.x[0][k] = 0.1 * ((double)(k % 30) + 0.5), f.x[1][k] = 0.1 * ((double)(k / 30) + 0.5);
+        f.T[k] = 1 + cos(f.x[0][k]) * cos(2 * f.x[1][k]);
     }
     if (derived_value(&(struct quantity){.kind = QUANTITY_HEAT}, &p, &f, 0.1, &value, &why)) fail_msg("%s", why.text);
     assert_near(value, 1.9 * (15 + sin(3) * sin(10) / 2), 1.9 * 15 * 1.6e-4);
@@ -89,8 +89,8 @@ static void flux_by_many_panels(void **state) {
     double value;
     field_alloc(&f, 2, 20 * 90);
     for (size_t k = 0; k < f.n; k++) {
-        f.x[k] = 0.05 * ((double)(k % 20) + 0.5), f.y[k] = -2 + 0.05 * ((double)(k / 20) + 0.5);
-        f.T[k] = f.x[k] * sin(4 * f.y[k]);
+        f.x[0][k] = 0.05 * ((double)(k % 20) + 0.5), f.x[1][k] = -2 + 0.05 * ((double)(k / 20) + 0.5);
+        f.T[k] = f.x[0][k] * sin(4 * f.x[1][k]);
     }
     struct quantity through = {.kind = QUANTITY_FLUX, .side = X_LO};
     if (derived_value(&through, &p, &f, 0.05, &value, &why)) fail_msg("%s", why.text);
@@ -111,7 +111,7 @@ static void a_wall_of_two_layers_has_the_conductivity_at_it(void **state) {
     struct failure why;
     double low, high;
     field_alloc(&f, 1, 30);
-    for (int i = 0; i < 30; i++) f.x[i] = -1 + 0.1 * (i + 0.5), f.T[i] = 2.3 - 1.7 * f.x[i];
+    for (int i = 0; i < 30; i++) f.x[0][i] = -1 + 0.1 * (i + 0.5), f.T[i] = 2.3 - 1.7 * f.x[0][i];
     for (int side = X_LO; side <= X_HI; side++)
         if (derived_value(&(struct quantity){.kind = QUANTITY_FLUX, .side = (enum side)side}, &p, &f, 0.1,
                           side == X_LO ? &low : &high, &why))

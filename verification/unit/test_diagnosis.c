@@ -46,11 +46,12 @@ static void solve(const char *name, const struct problem *p, struct fault fault,
         assert_near(problem_source(&with.problem, inside, 0.1), problem_source(p, inside, 0.1 + size), 1e-15);
     if (method_solve(method_find("ftcs"), &with.problem, &o, &r->field, &why)) fail_msg("%s: %s", name, why.text);
     r->exact = xcalloc(r->field.n, sizeof *r->exact);
+    for (int a = 0; a < p->dim; a++)
+        for (int i = 0; i < r->field.shape[a]; i++)
+            r->field.x[a][i] = with.centre[a] + with.stretch[a] * (r->field.x[a][i] - with.centre[a]);
     for (size_t i = 0; i < r->field.n; i++) {
-        double x[2] = {r->field.x[i], r->field.y ? r->field.y[i] : 0};
-        for (int a = 0; a < p->dim; a++) x[a] = with.centre[a] + with.stretch[a] * (x[a] - with.centre[a]);
-        r->field.x[i] = x[0];
-        if (r->field.y) r->field.y[i] = x[1];
+        double x[DIM_MAX];
+        field_place(&r->field, i, x);
         struct exact e = scene_exact(scene_of(name), p, x, p->t_end);
         r->exact[i] = e.no_value ? NAN : e.temperature;
     }
@@ -236,7 +237,7 @@ static void solve_means(struct problem *p, double mean, double steps, double dx,
     const double d = 1e-3;
     solve("rod-gauss", p, (struct fault){FAULT_CLOCK, 0}, steps, dx, r);
     for (size_t i = 0; i < r->field.n; i++) {
-        double x = r->field.x[i], T[3];
+        double x = r->field.x[0][i], T[3];
         for (int j = 0; j < 3; j++) T[j] = scene_exact(s, p, (double[2]){x + (j - 1) * d, 0}, p->t_end).temperature;
         r->field.T[i] += mean * dx * dx / 24 * (T[0] - 2 * T[1] + T[2]) / (d * d);
     }
@@ -292,7 +293,7 @@ static void initial_data_reveal_cell_means_in_the_plane(void **state) {
             double x = p.lo[0] + (i % SIDE + 0.5) * dx, y = p.lo[1] + (i / SIDE + 0.5) * dx, around = 0;
             for (int k = 0; k < 4; k++)
                 around += p.initial(&p, (double[2]){x + (k / 2 ? 0 : k ? d : -d), y + (k / 2 ? k == 3 ? d : -d : 0)});
-            f.x[i] = x, f.y[i] = y;
+            field_put(&f, (size_t)i, (double[2]){x, y});
             exact[i] = p.initial(&p, (double[2]){x, y});
             f.T[i] = exact[i] + mean * dx * dx / 24 * (around - 4 * exact[i]) / (d * d) + 1e-9 * (i % 7 - 3);
         }
@@ -450,7 +451,7 @@ static void large_answers_are_sampled(void **state) {
             T[i] = wrong ? 100 : 1.013 * exact[i];
             weight[i] = 1;
         }
-        struct field many = {.dim = 1, .n = n, .x = x, .T = T, .weight = weight};
+        struct field many = {.dim = 1, .n = n, .x = {x}, .T = T, .weight = weight};
         struct diagnosis_rung fine = {&many, exact, 0.025, r[1].at.dt, NAN};
         diagnosis_find(&p, &fine, &r[1].at, &d);
         print_message("%s\n", d.what);

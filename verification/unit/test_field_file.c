@@ -296,7 +296,7 @@ static void rounded_coordinates_snap_to_walls(void **state) {
         if (field_file_read(path, path, &(struct column_map){0}, &p, (double[2]){0.01, 0.01}, &f, &why))
             fail_msg("%s", why.text);
         assert_int_equal(f.n, 121);
-        assert_true(f.x[0] == p.lo[0] && f.x[10] == p.hi[0] && f.y[120] == p.hi[1] && f.y[5] == p.lo[1]);
+        assert_true(f.x[0][0] == p.lo[0] && f.x[0][10] == p.hi[0] && f.x[1][120] == p.hi[1] && f.x[1][5] == p.lo[1]);
         assert_true(f.T[21] == 30 && f.weight[21] == 11);
         field_free(&f);
     }

@@ -86,13 +86,14 @@ static void parabola_with_a_source_is_steady(void **state) {
     p.initial = parabola, p.wall = parabola_wall, p.source = steady_source;
     struct options o = {.dx = 0.046, .fourier = 0.2, .layout = LAYOUT_NODE};
     struct field f = solved(&method_ftcs, &p, &o);
-    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], parabola(&p, (double[2]){f.x[i], f.y[i]}), 2e-12);
+    double x[DIM_MAX];
+    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], parabola(&p, field_place(&f, i, x)), 2e-12);
     field_free(&f);
     p.dim = 1;
     p.param[2] = 0;
     p.side[X_LO] = p.side[X_HI] = NEUMANN;
     f = solved(&method_ftcs_flux, &p, &o);
-    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], parabola(&p, (double[2]){f.x[i], 0}), 2e-12);
+    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], parabola(&p, (double[2]){f.x[0][i], 0}), 2e-12);
     field_free(&f);
 }
 
@@ -107,7 +108,7 @@ static void fixed_walls_are_half_a_spacing_outside(void **state) {
     struct options o = {.dx = 0.115, .fourier = 0.45, .walls = WALLS_FIXED};
     struct field f = solved(&method_ftcs, &p, &o);
     double slope = p.param[1] * 2.3 / (2.3 + 0.115), middle = line(&p, (double[2]){0.45, 0});
-    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], middle + slope * (f.x[i] - 0.45), 1e-9);
+    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], middle + slope * (f.x[0][i] - 0.45), 1e-9);
     field_free(&f);
 }
 
@@ -259,10 +260,12 @@ static void two_materials_in_the_plane(void **state) {
     struct field f = solved(&method_ftcs, &p, &o);
     assert_int_equal(f.steps, 1);
     for (size_t i = 0; i < f.n; i++) {
-        double part = fmin(1, fmax(0, (p.interface - f.x[i]) / d + 0.5)), symbol = 2 * sin(PI * d / 1.6) / d;
+        double x[DIM_MAX];
+        field_place(&f, i, x);
+        double part = fmin(1, fmax(0, (p.interface - x[0]) / d + 0.5)), symbol = 2 * sin(PI * d / 1.6) / d;
         double kappa = (part * k[0] + (1 - part) * k[1]) / (part * rho_c[0] + (1 - part) * rho_c[1]);
-        if (f.x[i] > 0.4 && f.x[i] < 0.5) assert_near(part, first, 1e-12);
-        assert_near(f.T[i], (1 - kappa * 1e-3 * symbol * symbol) * cos(PI * f.y[i] / 0.8), 1e-14);
+        if (x[0] > 0.4 && x[0] < 0.5) assert_near(part, first, 1e-12);
+        assert_near(f.T[i], (1 - kappa * 1e-3 * symbol * symbol) * cos(PI * x[1] / 0.8), 1e-14);
     }
     field_free(&f);
     p.material[1] = (struct material){{0.07, 0.07}, 0.13};
@@ -358,7 +361,8 @@ static struct field solved_round(const struct problem *p, double spacings, doubl
 
 static double furthest(const struct problem *p, const struct field *f) {
     double most = 0;
-    for (size_t i = 0; i < f->n; i++) most = fmax(most, fabs(f->T[i] - p->initial(p, (double[2]){f->x[i], f->y[i]})));
+    double x[DIM_MAX];
+    for (size_t i = 0; i < f->n; i++) most = fmax(most, fabs(f->T[i] - p->initial(p, field_place(f, i, x))));
     return most;
 }
 
@@ -417,7 +421,8 @@ static void steps_up_to_one_half_are_stable(void **state) {
         p.t_end = q.t_end = 0.5;
         struct field f = solved_round(&p, 16, over ? 0.53 : 0.5), g = solved_round(&q, 16, over ? 0.53 : 0.5);
         for (size_t i = 0; i < f.n; i++) {
-            double x[2] = {f.x[i], f.y[i]};
+            double x[DIM_MAX];
+            field_place(&f, i, x);
             before += f.weight[i] * pow(p.initial(&p, x) - q.initial(&q, x), 2);
             after += f.weight[i] * pow(f.T[i] - g.T[i], 2);
         }

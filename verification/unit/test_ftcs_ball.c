@@ -98,9 +98,9 @@ static void grid_keeps_its_symmetries(void **state) {
     struct field f = solved_in_shells(&p, 6, 0.3);
     for (size_t i = 0; i < f.n; i++) { /* T(x, y, z) = T(x, -y, z), and T - steady part is odd in z */
         double x[DIM_MAX], y[DIM_MAX];
-        place(&f, i, x);
+        field_place(&f, i, x);
         for (size_t j = 0; j < f.n; j++) {
-            place(&f, j, y);
+            field_place(&f, j, y);
             if (fabs(x[0] - y[0]) + fabs(x[1] + y[1]) + fabs(x[2] - y[2]) < 1e-9) assert_near(f.T[i], f.T[j], 1e-12);
             if (fabs(x[0] - y[0]) + fabs(x[1] - y[1]) + fabs(x[2] + y[2]) < 1e-9)
                 assert_near(f.T[i] - 7, 7 - f.T[j], 1e-12);
@@ -134,7 +134,7 @@ static void oblique_mode_decays_at_second_order(void **state) {
             double x[DIM_MAX];
             mean[k] = 0;
             for (size_t i = 0; i < f.n; i++) {
-                place(&f, i, x);
+                field_place(&f, i, x);
                 mean[k] += f.weight[i] * fabs(f.T[i] - 7 - left * (oblique(&p, x) - 7));
             }
             field_free(&f);

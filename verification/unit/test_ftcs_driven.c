@@ -30,7 +30,7 @@ static void quadratic_that_rises_evenly_is_exact(void **state) {
         struct field f = solved(both[turn % 2], &p, &o);
         double worst = 0, x[DIM_MAX];
         for (size_t i = 0; i < f.n; i++) {
-            place(&f, i, x);
+            field_place(&f, i, x);
             worst = fmax(worst, fabs(f.T[i] - quadratic_at(&p, x, p.t_end)));
         }
         assert_order(f.steps, >, 10);

@@ -86,7 +86,7 @@ static void averages_of_a_quadratic_are_exact(void **state) {
         size_t inside = 0;
         for (size_t i = 0; i < f.n; i++) {
             double x[DIM_MAX], more = 0, depth = INFINITY;
-            place(&f, i, x);
+            field_place(&f, i, x);
             for (int a = 0; a < 3; a++) {
                 more += order * dx * dx / 24 * bend_of[a];
                 depth = fmin(depth, fmin(x[a] - p.lo[a], p.hi[a] - x[a]));
@@ -308,8 +308,9 @@ static void two_materials_conduct_in_parallel_across(void **state) {
     for (int m = 0; m < 2; m++) p.material[m] = (struct material){{k[m][0], k[m][1], k[m][2]}, rho_c[m]};
     struct field f = solved(&method_ftcs, &p, &o);
     for (size_t i = 0; i < f.n; i++) {
-        double x[DIM_MAX], part = fmin(1, fmax(0, (p.interface - f.x[i]) / d + 0.5)), loss = 0;
-        place(&f, i, x);
+        double x[DIM_MAX], loss = 0;
+        field_place(&f, i, x);
+        double part = fmin(1, fmax(0, (p.interface - x[0]) / d + 0.5));
         for (int a = 1; a < 3; a++)
             loss += dt * (part * k[0][a] + (1 - part) * k[1][a]) / (part * rho_c[0] + (1 - part) * rho_c[1]) *
                     pow(2 * sin(PI * d / 2 / p.hi[a]) / d, 2);
@@ -339,7 +340,7 @@ static void averages_of_two_materials_are_exact(void **state) {
     struct field f = solved(&method_ftcs, &p, &o);
     for (size_t i = 0; i < f.n; i++) {
         double x[DIM_MAX];
-        place(&f, i, x);
+        field_place(&f, i, x);
         assert_near(f.T[i], mean * across(&p, x), 2e-9); /* Gauss-Legendre with four points */
     }
     field_free(&f);

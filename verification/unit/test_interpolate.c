@@ -29,7 +29,8 @@ static void look(const struct place *p, size_t n, double out[3]) {
     double x[N], y[N], T[N];
     struct failure why;
     for (size_t i = 0; i < n; i++) x[i] = p[i].x, y[i] = p[i].y, T[i] = p[i].T;
-    struct interpolate f = interpolate_begin("places", 2, n, x, y, NULL, T);
+    const struct field field = {.dim = 2, .n = n, .x = {x, y}, .T = T};
+    struct interpolate f = interpolate_begin("places", &field);
     if (interpolate_at(&f, centre, &out[0], &out[1], &why)) fail_msg("%s", why.text);
     interpolate_end(&f);
 }

@@ -94,7 +94,8 @@ static void fields_are_those_of_the_solver(void **state) {
         assert_int_equal(a.n, b.n);
         assert_int_equal(a.steps, b.steps);
         assert_memory_equal(a.T, b.T, a.n * sizeof *a.T);
-        assert_memory_equal(a.y, b.y, a.n * sizeof *a.y);
+        double x[DIM_MAX];
+        for (size_t k = 0; k < a.n; k++) assert_near(a.y[k], field_place(&b, k, x)[1], 0);
         hl_field_free(&a);
         field_free(&b);
     }

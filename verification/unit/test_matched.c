@@ -104,13 +104,12 @@ static double heated_error(const char *line, int a) {
     struct problem p = e->problem;
     struct field f;
     struct failure why;
-    double q = wave_number(&p, a), rate = p.material[0].k[a] * q * q, most = 0;
+    double q = wave_number(&p, a), rate = p.material[0].k[a] * q * q, most = 0, x[DIM_MAX];
     p.param[0] = a, p.initial = problem_start, p.start = 1, p.source = wavy_source;
     for (int b = 0; b < DIM_MAX; b++) p.mirror[b] = 0;
     if (method_solve(e->method, &p, &e->options, &f, &why)) fail_msg("%s", why.text);
-    const double *const x[DIM_MAX] = {f.x, f.y, f.z};
     for (size_t i = 0; i < f.n; i++)
-        most = fmax(most, fabs(f.T[i] - 1 + expm1(-rate * p.t_end) / rate * cos(q * x[a][i])));
+        most = fmax(most, fabs(f.T[i] - 1 + expm1(-rate * p.t_end) / rate * cos(q * field_place(&f, i, x)[a])));
     field_free(&f);
     command_free(&r);
     return most;

@@ -114,7 +114,7 @@ static void kirchhoff_profile_is_steady(void **state) {
         assert_true(p.source_at == NULL);
         struct options o = {.dx = 0.05, .fourier = 0.2, .mean = exact[k].mean};
         struct field f = solved(exact[k].method, &p, &o);
-        for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], p.initial(&p, &f.x[i]), 1e-13);
+        for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], p.initial(&p, &f.x[0][i]), 1e-13);
         field_free(&f);
     }
 }
@@ -136,7 +136,7 @@ static void harmonic_means_lock_the_front(void **state) {
                 struct field f = solved(method_names[m], &p, &o);
                 double reached = 0;
                 for (size_t i = 0; i < f.n; i++)
-                    if (f.T[i] > 0) reached = fmax(reached, f.x[i]);
+                    if (f.T[i] > 0) reached = fmax(reached, f.x[0][i]);
                 if (mean == MEAN_HARMONIC)
                     assert_order(reached, <, 0.35);
                 else
@@ -224,7 +224,7 @@ static void modes_of_differences_are_amplified_by_each_step(void **state) {
         for (int i = 0; i < STEPS; i++) left *= creal(stepper_of(steppers[k])->amplification(f.stages, z));
         assert_int_equal(f.steps, STEPS);
         for (size_t i = 0; i < f.n; i++)
-            assert_near(f.T[i], p.start + left * (one_mode(&p, &f.x[i]) - p.start), 1e-13 * (1 + fabs(p.start)));
+            assert_near(f.T[i], p.start + left * (one_mode(&p, &f.x[0][i]) - p.start), 1e-13 * (1 + fabs(p.start)));
         field_free(&f);
     }
 }
@@ -279,7 +279,7 @@ static void quadratic_theta_is_steady(void **state) {
     for (int s = 0; s < 4; s++) p.side[s] = DIRICHLET;
     p.initial = harmonic_theta, p.wall = harmonic_wall;
     struct field f = solved("so_ssph", &p, &o);
-    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], p.initial(&p, (double[]){f.x[i], f.y[i]}), 1e-12);
+    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], p.initial(&p, (double[]){f.x[0][i], f.x[1][i]}), 1e-12);
     field_free(&f);
 }
 

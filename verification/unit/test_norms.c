@@ -22,14 +22,10 @@ static struct problem rod(void) {
 
 static struct field points(const struct problem *p, int nx, int ny) {
     struct field f;
-    field_alloc(&f, p->dim, (size_t)(nx * ny));
-    f.shape[0] = nx, f.shape[1] = ny;
+    field_alloc_lattice(&f, p->dim, (const int[]){nx, ny, 1});
     for (int a = 0; a < p->dim; a++) f.spacing[a] = (p->hi[a] - p->lo[a]) / f.shape[a];
-    for (int j = 0; j < ny; j++)
-        for (int i = 0; i < nx; i++) {
-            f.x[j * nx + i] = p->lo[0] + (i + 0.5) * f.spacing[0];
-            if (f.y) f.y[j * nx + i] = p->lo[1] + (j + 0.5) * f.spacing[1];
-        }
+    for (int a = 0; a < p->dim; a++)
+        for (int i = 0; i < f.shape[a]; i++) f.x[a][i] = p->lo[a] + (i + 0.5) * f.spacing[a];
     return f;
 }
 
@@ -75,10 +71,8 @@ static void points_without_a_value_are_left_out_and_counted(void **state) {
     scene_defaults(s, &p);
     assert_int_equal(s->setup(&p, &why), STATUS_OK);
     struct field f = points(&p, 4, 3);
-    for (int i = 0; i < 12; i++) {
-        f.x[i] = p.hi[0] * (i % 4) / 3;
-        f.y[i] = p.hi[1] * (i / 4) / 2;
-    }
+    for (int i = 0; i < 4; i++) f.x[0][i] = p.hi[0] * i / 3;
+    for (int i = 0; i < 3; i++) f.x[1][i] = p.hi[1] * i / 2;
     f.time = p.t_end;
     double bound = norms_exact(s, &p, &f, exact);
     for (int i = 0; i < 12; i++) f.T[i] = exact[i] == NORMS_NO_VALUE ? 17 : exact[i] + 0.013;
@@ -271,7 +265,7 @@ static void checkerboard_amplitude_on_nodes(void **state) {
     double exact[11] = {0};
     inner.spacing[0] = 0.2;
     for (int i = 0; i < 9; i++) {
-        inner.x[i] = 0.2 * (i + 1);
+        inner.x[0][i] = 0.2 * (i + 1);
         inner.T[i] = 0.6 * sin(pi * 7 * (i + 1) / 10);
     }
     assert_near(checkerboard_amplitude(&p, &inner, exact), 0.6, 1e-14);
@@ -280,7 +274,7 @@ static void checkerboard_amplitude_on_nodes(void **state) {
     struct field all = points(&p, 11, 1);
     all.spacing[0] = 0.2;
     for (int i = 0; i < 11; i++) {
-        all.x[i] = 0.2 * i;
+        all.x[0][i] = 0.2 * i;
         all.T[i] = 0.6 * cos(pi * 10 * i / 10);
     }
     assert_near(checkerboard_amplitude(&p, &all, exact), 0.6, 1e-14);

@@ -125,7 +125,7 @@ static void field_file_has_the_relative_error(void **state) {
         const struct field *f = &run.field;
         double late = 0, rounded = 0, whole[2] = {0};
         for (size_t k = 0; k < f->n; k++) {
-            double x[] = {f->x[k], 0}, w = f->weight ? f->weight[k] : 1;
+            double x[] = {f->x[0][k], 0}, w = f->weight ? f->weight[k] : 1;
             double T[] = {exact(&run, x, f->time + 0.25), rint(100 * exact(&run, x, f->time)) / 100};
             late += w * fabs(f->T[k] - T[0]), whole[0] += w * fabs(T[0]);
             rounded += w * fabs(f->T[k] - T[1]), whole[1] += w * fabs(T[1]);

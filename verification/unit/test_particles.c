@@ -40,7 +40,8 @@ static void stays(const struct method *m, int dim, int sides, struct options o) 
     if (method_solve(m, &p, &o, &f, &why)) fail_msg("%s: %s", what, why.text);
     assert_order(f.n, >, 18);
     for (size_t i = 0; i < f.n; i++) {
-        const double x[2] = {f.x[i], f.y ? f.y[i] : 0};
+        double x[DIM_MAX];
+        field_place(&f, i, x);
         if (!(fabs(f.T[i] - plane(&p, x)) < 1e-12))
             fail_msg("%s: %g K at (%g, %g) m, not %g", what, f.T[i], x[0], x[1], plane(&p, x));
     }

@@ -99,13 +99,13 @@ static void an_answer_is_mapped_back_to_the_case(void **state) {
     (void)state;
     struct program g = {0};
     double x[] = {3, -2}, y[] = {5, 0.5}, T[] = {1, 4}, exact[] = {1.5, 4.5};
-    struct field f = {.dim = 2, .n = 2, .x = x, .y = y, .T = T};
+    struct field f = {.dim = 2, .n = 2, .x = {x, y}, .T = T};
     assert_int_equal(mapping_read("-y,x", &g.map), 0);
     g.map.scale = 2, g.map.offset = -7;
     struct field given = program_as_given(&g, &f, exact);
     for (int i = 0; i < 2; i++) {
-        assert_near(given.x[i], -y[i], 0);
-        assert_near(given.y[i], x[i], 0);
+        assert_near(given.x[0][i], -y[i], 0);
+        assert_near(given.x[1][i], x[i], 0);
         assert_near(given.T[i], 2 * T[i] - 7, 0);
         assert_near(exact[i], 2 * (i ? 4.5 : 1.5) - 7, 0);
     }

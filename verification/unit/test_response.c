@@ -58,13 +58,13 @@ static double fall(int dim, double dx, double fourier, double t) {
 static void points(int dim, struct field *f) {
     field_alloc(f, dim, N);
     for (int i = 0; i < N; i++) {
-        f->x[i] = LO[0] + WIDE[0] * (0.31 + 0.0097 * i);
-        if (dim == 2) f->y[i] = LO[1] + WIDE[1] * (0.69 - 0.0083 * i);
+        f->x[0][i] = LO[0] + WIDE[0] * (0.31 + 0.0097 * i);
+        if (dim == 2) f->x[1][i] = LO[1] + WIDE[1] * (0.69 - 0.0083 * i);
     }
 }
 
 static double mode_at(const struct field *f, int i) {
-    return mode(f->dim, (double[2]){f->x[i], f->y ? f->y[i] : 0});
+    return mode(f->dim, (double[2]){f->x[0][i], f->dim == 2 ? f->x[1][i] : 0});
 }
 
 static void response_lattice_decays_one_mode(void **state) {
@@ -108,8 +108,7 @@ static void response_extrapolates_linearly_to_the_wall(void **state) {
             for (int i = 0; i < 3; i++) {
                 double x[2] = {LO[0] + 20.5 * l.dx, LO[1] + 20.5 * l.dx};
                 x[a] = side % 2 ? p.hi[a] - i * l.dx / 4 : p.lo[a] + i * l.dx / 4;
-                f.x[i] = x[0];
-                if (dim == 2) f.y[i] = x[1];
+                field_put(&f, (size_t)i, x);
             }
             response_base(&p, &l, &f, base, longer);
             response_laplacian(&p, &l, &f, laplace);

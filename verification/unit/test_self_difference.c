@@ -21,7 +21,7 @@ static struct field lattice(const int order[N]) {
     f.weight = xcalloc(N, sizeof *f.weight);
     for (int k = 0; k < N; k++) {
         int i = order[k] % NX, j = order[k] / NX;
-        f.x[k] = 1.2 + 0.7 * i, f.y[k] = -2.9 + 0.1 * j;
+        f.x[0][k] = 1.2 + 0.7 * i, f.x[1][k] = -2.9 + 0.1 * j;
         f.T[k] = 3 + i - 2 * j, f.weight[k] = 1 + 0.5 * i + 0.25 * j;
     }
     return f;
@@ -61,7 +61,7 @@ static void self_difference_of_a_rod_is_unweighted(void **state) {
     struct norms_error apart;
     for (int k = 0; k < 2; k++) {
         field_alloc(&f[k], 1, 3);
-        for (int i = 0; i < 3; i++) f[k].x[i] = 1.5 + 0.4 * i, f[k].T[i] = 2 - i + (k ? 0 : 0.3 * i);
+        for (int i = 0; i < 3; i++) f[k].x[0][i] = 1.5 + 0.4 * i, f[k].T[i] = 2 - i + (k ? 0 : 0.3 * i);
     }
     assert_int_equal(self_difference_fields(&rod, &f[0], &f[1], &apart), 1);
     assert_near(apart.l1, 0.9 / 3, 1e-14);
@@ -75,7 +75,7 @@ static void self_difference_of_a_rod_is_unweighted(void **state) {
 static int same(double along_x, double along_y) {
     struct field a = lattice(rows), b = lattice(mixed);
     struct norms_error ignored;
-    a.x[N - 1] += 1e-9 * along_x, a.y[N - 1] += 1e-9 * along_y;
+    a.x[0][N - 1] += 1e-9 * along_x, a.x[1][N - 1] += 1e-9 * along_y;
     int found = self_difference_fields(&body, &a, &b, &ignored);
     field_free(&a);
     field_free(&b);

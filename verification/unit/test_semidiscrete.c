@@ -29,7 +29,7 @@ static int answer(const struct problem *p, const struct options *o, double part,
     if (o->stepper == STEPPER_CHEBYSHEV) error = wrong / (double)(f->steps * f->steps);
     for (int i = 0; i < POINTS; i++) {
         double x[2] = {p->lo[0] + (i + 0.5) * (p->hi[0] - p->lo[0]) / POINTS, 0};
-        f->x[i] = x[0];
+        f->x[0][i] = x[0];
         f->T[i] = (1 + error) * scene_exact(scene_find("rod-gauss"), p, x, p->t_end).temperature;
     }
     return STATUS_OK;

@@ -20,12 +20,9 @@ static const double PI = 3.14159265358979323846;
 static double farthest(const struct method *m, const struct problem *p, const struct options *o) {
     struct field f;
     struct failure why;
-    double most = 0;
+    double most = 0, x[DIM_MAX];
     if (method_solve(m, p, o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
-    for (size_t i = 0; i < f.n; i++) {
-        double x[2] = {f.x[i], f.y ? f.y[i] : 0};
-        most = fmax(most, fabs(f.T[i] - p->initial(p, x)));
-    }
+    for (size_t i = 0; i < f.n; i++) most = fmax(most, fabs(f.T[i] - p->initial(p, field_place(&f, i, x))));
     field_free(&f);
     return most;
 }
@@ -98,7 +95,7 @@ static double matched_error(const struct method *m, enum sampling sampling, doub
     struct failure why;
     if (method_solve(m, &p, &o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
     p.param[0] *= exp(-kappa * wave(&p) * wave(&p) * p.t_end);
-    for (size_t i = 0; i < f.n; i++) most = fmax(most, fabs(f.T[i] - warm(&p, (double[2]){f.x[i], 0})));
+    for (size_t i = 0; i < f.n; i++) most = fmax(most, fabs(f.T[i] - warm(&p, (double[2]){f.x[0][i], 0})));
     field_free(&f);
     return most;
 }

@@ -127,7 +127,7 @@ static void quadratic_has_uniform_heating_rate(void **state) {
                 struct failure why;
                 if (method_solve(all[m], &p, &o, &f, &why)) fail_msg("%s", why.text);
                 for (size_t i = 0; i < f.n; i++)
-                    assert_near(f.T[i], value(&harmonic, (const double[2]){f.x[i], f.y[i]}), 1e-10);
+                    assert_near(f.T[i], value(&harmonic, (const double[2]){f.x[0][i], f.x[1][i]}), 1e-10);
                 field_free(&f);
             }
 }
