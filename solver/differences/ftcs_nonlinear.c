@@ -140,7 +140,7 @@ static void set_rates(struct cells *c, double t) {
     c->most = 0, c->rates++;
     for (int i = 0; i < g->n[0] * g->n[1]; i++) {
         double x[DIM_MAX] = {g->origin[0] + i % g->n[0] * g->d[0], g->origin[1] + i / g->n[0] * g->d[1]};
-        double k = conductivity(c->p, c->T[i]);
+        double k = c->first ? c->first[i] : conductivity(c->p, c->T[i]);
         c->rate[i] = problem_source(c->p, x, t);
         c->heating = fmax(c->heating, fabs(c->rate[i]));
         if (k > c->most) c->most = k, c->hottest = i;

@@ -17,10 +17,16 @@
 /* Small: the time error of Euler's method, dt/2 d2T/dt2, cancels part of the error in space, all of it at 1/6. */
 static const double FOURIER = 0.05;
 
+/* With k(T) steps of rkl2, which evaluate source and walls a fifth as often; 0: no Fourier number. */
+static double fourier_of(const struct problem *p) {
+    return p->k_law ? 0 : FOURIER;
+}
+
 static int solve(const struct problem *p, double dx, double fourier, enum mean mean, struct field *f) {
     struct failure ignored;
     struct options o = {.dx = dx,
                         .fourier = fourier,
+                        .stepper = fourier > 0 ? STEPPER_EULER : STEPPER_RKL2,
                         .sampling = p->jumps[0] + p->jumps[1] + p->jumps[2] ? SAMPLING_CELL : SAMPLING_POINT,
                         .mean = p->k_law && mean != MEAN_HARMONIC ? MEAN_KIRCHHOFF : mean,
                         .domain = DOMAIN_WHOLE};
@@ -51,7 +57,7 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
     if (best < 0 || p->shape) return -1; /* rings do not form a lattice */
     struct field f;
     *l = (struct response_lattice){.dx = (p->hi[0] - p->lo[0]) / n};
-    if (solve(p, l->dx, FOURIER, MEAN_SERIES, &f)) return -1;
+    if (solve(p, l->dx, fourier_of(p), MEAN_SERIES, &f)) return -1;
     memcpy(l->n, f.shape, sizeof l->n);
     l->T = f.T;
     f.T = NULL;
@@ -62,7 +68,8 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
     }
     l->longer = f.T;
     f.T = NULL;
-    for (int i = 0; i < l->n[0] * l->n[1] * l->n[2]; i++) l->longer[i] = (l->longer[i] - l->T[i]) / (2 * FOURIER);
+    const double longer = 3 * FOURIER - fourier_of(p);
+    for (int i = 0; i < l->n[0] * l->n[1] * l->n[2]; i++) l->longer[i] = (l->longer[i] - l->T[i]) / longer;
     field_free(&f);
     return 0;
 }
@@ -186,7 +193,9 @@ int response_take(const struct problem *p, const struct response_lattice *l, str
     if (fault.kind == FAULT_LAW && fault.axis == LAW_HARMONIC) mean = MEAN_HARMONIC;
     double small = fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault); /* one cell for a local fault */
     r->size = size != 0 ? size : small;
-    return fault_make(p, fault, r->size, &r->with) && !solve(&r->with.problem, l->dx, FOURIER, mean, &r->T) ? 0 : -1;
+    return fault_make(p, fault, r->size, &r->with) && !solve(&r->with.problem, l->dx, fourier_of(p), mean, &r->T)
+               ? 0
+               : -1;
 }
 
 void response_free(struct response *r) {

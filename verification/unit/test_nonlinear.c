@@ -288,14 +288,30 @@ static double hot_middle(const struct problem *p, const double *x) {
 }
 
 /* k is 21 times as large in the middle as at the walls. */
-static void hot_middle_cools_without_growth(void **state) {
-    (void)state;
+static struct problem hot_rod(void) {
     struct problem p = odd_rod();
-    struct options o = {.dx = (p.hi[0] - p.lo[0]) / 20, .stepper = STEPPER_EULER};
     p.k_law = K_LINEAR, p.k_0 = p.material[0].k[0] / 21, p.k_beta = 20, p.k_ref = 1.3;
     for (int s = 0; s < 2; s++) p.side[s] = DIRICHLET, p.held[s] = p.k_ref;
     p.initial = hot_middle, p.wall = problem_held, p.source = NULL, p.t_end = 0.3;
+    return p;
+}
+
+static void hot_middle_cools_without_growth(void **state) {
+    (void)state;
+    struct problem p = hot_rod();
+    struct options o = {.dx = (p.hi[0] - p.lo[0]) / 20, .stepper = STEPPER_EULER};
     struct field f = solved("so_ssph", &p, &o);
+    for (size_t i = 0; i < f.n; i++) assert_true(f.T[i] > p.k_ref && f.T[i] < p.k_ref + 1);
+    field_free(&f);
+}
+
+/* The stages of a step with k of the start follow that k, while the body cools. */
+static void frozen_k_cools_without_growth(void **state) {
+    (void)state;
+    struct problem p = hot_rod();
+    struct options o = {.dx = (p.hi[0] - p.lo[0]) / 60, .stepper = STEPPER_RKL2};
+    p.k_frozen = 1, p.t_end = 3;
+    struct field f = solved("ftcs", &p, &o);
     for (size_t i = 0; i < f.n; i++) assert_true(f.T[i] > p.k_ref && f.T[i] < p.k_ref + 1);
     field_free(&f);
 }
@@ -354,6 +370,7 @@ int main(void) {
         cmocka_unit_test(default_mean_follows_the_problem),
         cmocka_unit_test(quadratic_theta_is_steady),
         cmocka_unit_test(hot_middle_cools_without_growth),
+        cmocka_unit_test(frozen_k_cools_without_growth),
         cmocka_unit_test(steps_follow_the_largest_k),
         cmocka_unit_test(refusals_name_the_option),
     };
