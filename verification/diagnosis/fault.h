@@ -62,6 +62,13 @@ int fault_pair(int pair, int second);
  */
 int fault_other(int axis, int other);
 
+/* 1 if *p can have the fault. */
+int fault_applies(const struct problem *p, struct fault fault);
+/* The side across axis a that a corner or an edge is on; -1: the edge is along a. */
+int fault_side_of_corner(int corner, int a);
+/* k in the middle of a side. */
+double fault_law_at_side(const struct problem *p, int s);
+
 /* A problem with a fault of one size.  `problem` points into this struct and must not be copied separately. */
 struct faulty {
     struct problem problem;
