@@ -14,7 +14,7 @@
 /* Faults of different axes or materials are different; faults of different sides or corners are one fault of all
  * sides.  An extra step in every run agrees with extra steps in some runs. */
 static int is_same(const struct diagnosis *a, const struct diagnosis *b) {
-    static const double SAME = 0.2; /* each size is known to 12 %, half of STEADY (diagnosis.c): sqrt(2) of that */
+    static const double SAME = 0.2; /* each size is known to 12 %, half of FAULT_STEADY: sqrt(2) of that */
     const enum fault_kind kind = a->fault.kind;
     if (!a->named || !b->named || strcmp(a->unit, b->unit) != 0) return 0;
     if (kind != b->fault.kind && !(kind == FAULT_SOME_STEPS && b->fault.kind == FAULT_CLOCK)) return 0;
