@@ -42,6 +42,11 @@ double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *star
 void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
                     struct diagnosis *d);
 
+/* Names data that are taken a part of a step late or early, from the difference of two answers on one grid: `apart`,
+ * K, at the points of *f, whose steps differ by dt, s, the one with longer steps less the other. */
+void diagnosis_steps(const struct problem *p, const struct field *f, const double *apart, double dt,
+                     struct diagnosis *d);
+
 /* 1 << enum side_kind of each side of *p to which the fault applies; 0 if it applies to none. */
 unsigned diagnosis_sides(const struct problem *p, struct fault fault);
 

@@ -15,6 +15,8 @@
  * sides.  An extra step in every run agrees with extra steps in some runs. */
 static int is_same(const struct diagnosis *a, const struct diagnosis *b) {
     static const double SAME = 0.2; /* each size is known to 12 %, half of FAULT_STEADY: sqrt(2) of that */
+    /* a wall that is taken as linear over half a cell acts dx^2/(8 kappa) late, half a step of dx^2/(4 kappa) */
+    static const double HALF_CELL = 0.75;
     const enum fault_kind kind = a->fault.kind;
     if (!a->named || !b->named || strcmp(a->unit, b->unit) != 0) return 0;
     if (kind != b->fault.kind && !(kind == FAULT_SOME_STEPS && b->fault.kind == FAULT_CLOCK)) return 0;
@@ -22,6 +24,8 @@ static int is_same(const struct diagnosis *a, const struct diagnosis *b) {
                    kind == FAULT_RHO_C;
     int no_size = *a->unit == '\0' || kind == FAULT_MEAN || kind == FAULT_NOISE || kind == FAULT_UNSTABLE;
     if (has_axis && a->fault.axis != b->fault.axis) return 0;
+    if (kind == FAULT_WALL_TIME && strcmp(a->unit, "steps") == 0)
+        return a->size * b->size > 0 && fabs(a->size - b->size) <= HALF_CELL;
     return no_size || fabs(a->size - b->size) <= SAME * fmin(fabs(a->size), fabs(b->size));
 }
 

@@ -37,7 +37,7 @@ static const char *const laws[] = {"were that of the initial temperature",
                                    "were that of side x_hi",
                                    "were that of side y_lo",
                                    "were that of side y_hi",
-                                   "had harmonic means, which let no heat into a cell with k = 0"};
+                                   "had harmonic or geometric means, which let no heat into a cell with k = 0"};
 static const char *const means[] = {"the arithmetic mean", "the geometric mean", "the arithmetic or geometric mean",
                                     "another mean"};
 

@@ -58,6 +58,33 @@ static void judge_noise(const struct command *r, const struct ladder *l, struct 
     m->verdict = VERDICT_INCONCLUSIVE;
 }
 
+/* Compares the answers at the two finest rungs, where the error has its order. */
+static void diagnose_steps(const struct command *r, const struct ladder *l, struct measured *m) {
+    struct experiment e = r->experiment;
+    struct measured tried = *m;
+    struct result result[2];
+    struct field f[2] = {{0}, {0}};
+    int usable = e.program.solver != NULL && l->n >= 2;
+    e.program.keep = NULL;
+    for (int k = 0; k < 2 && usable; k++) {
+        e.options.dt = l->x[l->n - 2 + k];
+        usable = !measures_run(&e, &result[k], &f[k], &tried);
+    }
+    usable = usable && f[0].n == f[1].n;
+    for (size_t i = 0; usable && i < f[0].n; i++) {
+        double x[2][DIM_MAX];
+        for (int k = 0; k < 2; k++) field_place(&f[k], i, x[k]);
+        for (int a = 0; a < f[0].dim; a++) usable = usable && x[0][a] == x[1][a];
+    }
+    if (usable) {
+        struct diagnosis d;
+        for (size_t i = 0; i < f[0].n; i++) f[0].T[i] -= f[1].T[i];
+        diagnosis_steps(&e.problem, &f[1], f[0].T, result[0].dt - result[1].dt, &d);
+        measures_diagnosed(m, &d);
+    }
+    for (int k = 0; k < 2; k++) field_free(&f[k]);
+}
+
 /* A program with its own time step gives the same answer for every requested step: the row does not apply. */
 void measures_slope_time(const struct command *r, double lo, double hi, struct measured *m) {
     struct ladder *l = xcalloc(1, sizeof *l);
@@ -67,6 +94,7 @@ void measures_slope_time(const struct command *r, double lo, double hi, struct m
         skip(m, "the answers are the same for every dt: the program takes a time step of its own");
     else if (m->verdict != VERDICT_PASS && !l->failure.status)
         judge_noise(r, l, m);
+    if (m->verdict == VERDICT_FAIL && !l->failure.status && !m->found.named) diagnose_steps(r, l, m);
     free(l);
 }
 
