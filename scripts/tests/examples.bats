@@ -35,10 +35,10 @@ cells='smooth/gauss,contact/rod,plane/source'
     [ -n "$python" ] || skip "SciPy is not here (make setup-peers)"
     judge "$python $tree/verification/examples/triangles.py" --only 'round/c*'
     judge "$python $tree/verification/examples/solid.py" --only 'plane/source,contact/rod'
-    judge "$python $tree/verification/examples/lines.py" --only 'smooth/gauss,contact/rod'
+    judge "$python $tree/verification/examples/lines.py" --only 'smooth/gauss,contact/rod,nonlinear/smooth'
 }
 
 @test "cvode.c" {
     [ -x "$examples/cvode" ] || skip "SUNDIALS is not here (make setup-peers)"
-    judge "$examples/cvode" --only 'smooth/gauss,contact/rod,walls/cooled,plane/source'
+    judge "$examples/cvode" --only 'smooth/gauss,contact/rod,walls/cooled,plane/source,driven/rod,nonlinear/*'
 }

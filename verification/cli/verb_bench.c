@@ -66,7 +66,7 @@ static int bench_scenes(const struct bench_options *r, FILE *out, struct files *
     const char *names[WORDS_MAX] = {0};
     int status = STATUS_OK;
     for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
-    if (r->scene && !only) return words_unknown(names, "scene", r->scene, why);
+    if (r->scene && !only) return words_unknown(names, "--scene", r->scene, why);
     measure_engine(r, &j);
     json_array(&j, "scenes");
     for (int i = 0; scenes[i] && !status; i++)

@@ -3,7 +3,7 @@ Euler.
 
     rho_c dT_i/dt = source + sum over neighbours j of V k_ij F_ij (T_i - T_j),   F_ij = r_ij . grad W_ij / r_ij^2
 
-with k_ij of Espanol and Revenga 2003 where conductivities differ along x and y, and the harmonic
+with k_ij of Espanol and Revenga 2003 where conductivities differ by axis, and the harmonic
 mean of Cleary and Monaghan 1999 where materials do.  The case file gives the grid and the end time.
 `heatladder reference` gives all else (start, source, coefficients, walls) at particles and at the
 feet of the sides.  $HEATLADDER is the path of that program.
@@ -31,19 +31,21 @@ class Conduction(Equation):
     def initialize(self, d_idx, d_rate):
         d_rate[d_idx] = 0.0
 
-    def loop(self, d_idx, s_idx, d_rate, d_T, s_T, d_kx, s_kx, d_ky, s_ky, d_V, d_dim, XIJ, DWIJ, R2IJ):
+    def loop(self, d_idx, s_idx, d_rate, d_T, s_T, d_kx, s_kx, d_ky, s_ky, d_kz, s_kz, d_V, d_dim,
+             XIJ, DWIJ, R2IJ):
         kx = 2.0 * d_kx[d_idx] * s_kx[s_idx] / (d_kx[d_idx] + s_kx[s_idx])
         ky = 2.0 * d_ky[d_idx] * s_ky[s_idx] / (d_ky[d_idx] + s_ky[s_idx] + 1e-300)
-        along = (kx * XIJ[0] * XIJ[0] + ky * XIJ[1] * XIJ[1]) / (R2IJ + 1e-300)
-        k = (d_dim[d_idx] + 2.0) * along - kx - ky
-        F = (XIJ[0] * DWIJ[0] + XIJ[1] * DWIJ[1]) / (R2IJ + 1e-300)
+        kz = 2.0 * d_kz[d_idx] * s_kz[s_idx] / (d_kz[d_idx] + s_kz[s_idx] + 1e-300)
+        along = (kx * XIJ[0] * XIJ[0] + ky * XIJ[1] * XIJ[1] + kz * XIJ[2] * XIJ[2]) / (R2IJ + 1e-300)
+        k = (d_dim[d_idx] + 2.0) * along - kx - ky - kz
+        F = (XIJ[0] * DWIJ[0] + XIJ[1] * DWIJ[1] + XIJ[2] * DWIJ[2]) / (R2IJ + 1e-300)
         d_rate[d_idx] += d_V[d_idx] * k * F * (d_T[d_idx] - s_T[s_idx])
 
 
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
-if case["dim"] == "3" or "changing" in case.values() or "dy" in case or "shape" in case or "k_law" in case:
-    sys.exit(77)  # square cells in rods and rectangles, and data that stay
+if "changing" in case.values() or "dy" in case or "shape" in case or "k_law" in case:
+    sys.exit(77)  # square cells in rods, rectangles and boxes, and data that stay
 
 
 def numbers(key):
@@ -58,7 +60,7 @@ axes = [np.clip(lo[d] + (np.arange(n[d] + 2) - 0.5) * width[d], lo[d], hi[d]) fo
 points = np.stack([x.ravel() for x in np.meshgrid(*axes, indexing="ij")], axis=1)
 file = sys.argv[2] + ".points"
 np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g", ",", comments="",
-           header=",".join(["x", "y"][:dim] + ["dx", "dy"][:dim]))
+           header=",".join(["x", "y", "z"][:dim] + ["dx", "dy", "dz"][:dim]))
 
 # Particles, including `LAYERS` layers of ghosts beyond each side.  A ghost has the columns of the
 # cell at its foot point.
@@ -85,7 +87,7 @@ def mirrors(d, k, kind, value, b):
     """
     low, high = index[d] < 0, index[d] >= n[d]
     ghost = low | high
-    if case[f"side_{'xy'[d]}_lo"] == "periodic":
+    if case[f"side_{'xyz'[d]}_lo"] == "periodic":
         return d, ghost, LAYERS + index[d][ghost] % n[d], 0, 1
     image = np.where(low, -1 - index[d], 2 * n[d] - 1 - index[d])[ghost]
     apart = width[d] * abs(index[d][ghost] - image)  # from a ghost to its image
@@ -100,17 +102,17 @@ def mirrors(d, k, kind, value, b):
 T, source, rho_c = ask("initial_heat,source,rho_c")
 k, ghosts = [], []
 for d in range(dim):
-    k_d, kind, value, b = ask(f"k_{'xy'[d]},wall_{'xy'[d]}")
+    k_d, kind, value, b = ask(f"k_{'xyz'[d]},wall_{'xyz'[d]}")
     k.append(k_d)
     ghosts.append(mirrors(d, k_d, kind, value, b))
 
 centres = [lo[d] + (index[d] + 0.5) * width[d] for d in range(dim)]
 x = [grid.ravel() for grid in np.meshgrid(*centres, indexing="ij")]
-plane = dim == 2
+none = [np.zeros(T.size)] * (3 - dim)
+(px, py, pz), (kx, ky, kz) = x + none, [k_d.ravel() for k_d in k] + none
 body = get_particle_array(
-    name="body", x=x[0], y=x[1] if plane else 0 * x[0], h=1.2 * np.prod(width) ** (1 / dim),
-    m=1.0, rho=1.0, V=np.prod(width), dim=float(dim), kx=k[0].ravel(),
-    ky=k[1].ravel() if plane else 0 * x[0], T=T.ravel(), rate=0.0)
+    name="body", x=px, y=py, z=pz, h=1.2 * np.prod(width) ** (1 / dim), m=1.0, rho=1.0,
+    V=np.prod(width), dim=float(dim), kx=kx, ky=ky, kz=kz, T=T.ravel(), rate=0.0)
 evaluation = AccelerationEval([body], [Group([Conduction("body", ["body"])])], CubicSpline(dim=dim))
 SPHCompiler(evaluation, None).compile()
 evaluation.set_nnps(LinkedListNNPS(dim, [body], radius_scale=2, fixed_h=True, cache=True))
@@ -128,5 +130,5 @@ for step in range(steps):
 seconds = time.perf_counter() - begin
 
 answer = [column.reshape(T.shape)[inside].ravel() for column in x + [T]]
-header = f"# seconds = {seconds:.9g}\n" + ",".join(["x", "y"][:dim] + ["T"])
+header = f"# seconds = {seconds:.9g}\n" + ",".join(["x", "y", "z"][:dim] + ["T"])
 np.savetxt(sys.argv[2], np.column_stack(answer), "%.17g", ",", header=header, comments="")

@@ -113,6 +113,11 @@ static int unknown_option(const struct command *c, const char *name, struct fail
     if (find(command_options, name))
         return refuse(why, STATUS_INPUT, "--%s has no meaning for %s (see: heatladder %s --help)", name, command,
                       command);
+    if (strcmp(name, "dy") == 0 || strcmp(name, "dz") == 0)
+        return refuse(why, STATUS_INPUT,
+                      "unknown option --%s; --dx is the spacing along every axis, and --aspect R "
+                      "makes dy = R dx",
+                      name);
     for (size_t i = 0; i < sizeof removed / sizeof *removed; i++)
         if (strcmp(removed[i][0], name) == 0)
             return refuse(why, STATUS_INPUT, "--%s is removed; use %s", name, removed[i][1]);

@@ -105,7 +105,9 @@ int option_seed(void *options, const struct option *o, const char *text, struct 
 /* An enumerator has the size of an int.  Its value is copied as bytes because each enum is a separate type. */
 int option_word(void *options, const struct option *o, const char *text, struct failure *why) {
     int value = words_index(o->words, text);
-    if (value < 0) return words_unknown(o->words, o->name, text, why);
+    char option[40];
+    snprintf(option, sizeof option, "--%s", o->name);
+    if (value < 0) return words_unknown(o->words, option, text, why);
     memcpy(place(options, o), &value, sizeof value);
     return STATUS_OK;
 }
