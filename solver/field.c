@@ -20,14 +20,14 @@ void field_alloc(struct field *f, int dim, size_t n) {
     f->T = xcalloc(n, sizeof *f->T);
 }
 
-void field_alloc_lattice(struct field *f, int dim, const int shape[DIM_MAX]) {
+void field_alloc_lattice(struct field *f, int dim, const int shape[DIM_MAX], double *T) {
     *f = (struct field){.dim = dim, .n = 1};
     for (int a = 0; a < DIM_MAX; a++) {
         f->shape[a] = a < dim ? shape[a] : 1;
         f->n *= (size_t)f->shape[a];
         if (a < dim) f->x[a] = xcalloc((size_t)shape[a], sizeof **f->x);
     }
-    f->T = xcalloc(f->n, sizeof *f->T);
+    f->T = T ? T : xcalloc(f->n, sizeof *f->T);
 }
 
 void field_free(struct field *f) {
@@ -35,6 +35,12 @@ void field_free(struct field *f) {
     free(f->T);
     free(f->weight);
     *f = (struct field){0};
+}
+
+size_t field_bytes(const struct field *f) {
+    size_t values = f->n * (f->weight ? 2 : 1);
+    for (int a = 0; a < f->dim; a++) values += f->shape[0] ? (size_t)f->shape[a] : f->n;
+    return values * sizeof *f->T;
 }
 
 double field_distance(const struct field *f, const double *T, const double *size) {

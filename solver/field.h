@@ -40,9 +40,10 @@ struct field { /* arrays are owned; release with field_free */
 
 double field_clock(void); /* s, from a monotonic clock */
 
-/* Zeroes *f; allocates T and the coordinates of n points, or of a lattice. */
+/* Zeroes *f; allocates T and the coordinates of n points, or of a lattice.  A lattice takes T, of n values or more,
+ * if it is not NULL. */
 void field_alloc(struct field *f, int dim, size_t n);
-void field_alloc_lattice(struct field *f, int dim, const int shape[DIM_MAX]);
+void field_alloc_lattice(struct field *f, int dim, const int shape[DIM_MAX], double *T);
 void field_free(struct field *f);
 
 /* Position of point i, m, 0 past dim; returns x. */
@@ -59,6 +60,9 @@ static inline const double *field_place(const struct field *f, size_t i, double 
 static inline void field_put(struct field *f, size_t i, const double x[]) {
     for (int a = 0; a < f->dim; a++) f->x[a][i] = x[a];
 }
+
+/* Size of its arrays. */
+size_t field_bytes(const struct field *f);
 
 /* sum w |f->T - T| / sum w |size| over the n points of *f, K, with w = f->weight.  Points with size INFINITY have no
  * known value and are skipped. */

@@ -159,22 +159,24 @@ static int has_whole_cells(const struct ftcs_grid *g) {
     return share == 1;
 }
 
-/* Frees everything except T before the field is allocated, which keeps peak memory low. */
+/* T changes hands and closes its gaps, from the first unknown to the last. */
 static void hand_over(struct ftcs_grid *g, struct field *f) {
     const ptrdiff_t n = ftcs_grid_points(g);
     int i[DIM_MAX] = {0};
     size_t held = g->held * sizeof *g->T;
     ftcs_grid_keep_T(g);
-    field_alloc_lattice(f, g->dim, g->n);
+    field_alloc_lattice(f, g->dim, g->n, g->T);
+    g->T = NULL;
     f->cost.bytes = held;
     if (!has_whole_cells(g)) f->weight = xcalloc((size_t)n, sizeof *f->weight);
     for (ptrdiff_t k = 0; k < n; k++, ftcs_grid_next(g, i)) {
         double x[DIM_MAX];
         ftcs_grid_place(g, i, x);
         for (int a = 0; a < g->dim; a++) f->x[a][i[a]] = x[a];
-        f->T[k] = g->T[ftcs_grid_at(g, i)];
+        f->T[k] = f->T[ftcs_grid_at(g, i)];
         if (f->weight) f->weight[k] = ftcs_grid_cell(g, i);
     }
+    f->T = xcheck(realloc(f->T, f->n * sizeof *f->T), f->n, sizeof *f->T);
 }
 
 static int run(struct ftcs_grid *g, const struct problem *p, struct failure *why) {

@@ -250,7 +250,7 @@ static int run(struct cells *c, struct failure *why) {
 
 static void take_start(struct cells *c, enum sampling how, struct field *f) {
     const struct ftcs_grid *g = &c->g;
-    field_alloc_lattice(f, g->dim, g->n);
+    field_alloc_lattice(f, g->dim, g->n, NULL);
     c->lo = INFINITY, c->hi = -INFINITY;
     for (size_t i = 0; i < f->n; i++) {
         size_t nx = (size_t)g->n[0];

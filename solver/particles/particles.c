@@ -95,8 +95,9 @@ static int check_start(const struct field *f, struct failure *why) {
     return STATUS_OK;
 }
 
-static void place_on_lattice(const struct lattice *l, struct field *f) {
-    field_alloc_lattice(f, l->dim, l->n);
+/* room: of T, for a state. */
+static void place_on_lattice(const struct lattice *l, size_t room, struct field *f) {
+    field_alloc_lattice(f, l->dim, l->n, xcalloc(room, sizeof *f->T));
     for (int a = 0; a < l->dim; a++)
         for (int i = 0; i < l->n[a]; i++) {
             double x[DIM_MAX];
@@ -165,8 +166,8 @@ static int place(const struct problem *p, const struct options *o, const struct 
         int ordered = p->dim == 1 && !options_is_cloud(o); /* else by cells */
         for (int d = 0; d < DIM_MAX && ordered; d++) f->shape[d] = d ? 1 : (int)f->n;
     } else {
-        place_on_lattice(l, f);
         if (operator_create_lattice(a, p, o, s, l, why)) return why->status;
+        place_on_lattice(l, a->state, f);
     }
     for (int d = 0; d < p->dim; d++) f->spacing[d] = l->dx[d];
     return STATUS_OK;
@@ -207,6 +208,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
         double loop = field_clock();
         status = particles_integrate(p, &o, m->scheme, &l, &a, &f, why);
         f.cost.step_seconds = field_clock() - loop;
+        if (a.state > a.n) f.T = xcheck(realloc(f.T, f.n * sizeof *f.T), f.n, sizeof *f.T);
         f.heat[1] = heat_content(p, &f, a.rho_c, cell, volume);
     }
     operator_free(&a);

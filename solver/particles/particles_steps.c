@@ -150,7 +150,7 @@ static int check_damping(const struct options *o, const struct heat_operator *a,
 
 int particles_integrate(const struct problem *p, const struct options *o, const struct scheme *s,
                         const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
-    f->cost.bytes = a->n * (size_t)(p->dim + 1 + (f->weight != NULL)) * sizeof *f->T + a->bytes;
+    f->cost.bytes = field_bytes(f) + a->bytes;
     struct march m;
     double bound = operator_bound(a);
     if (march_of(p, o, s, l, a, bound, &m, why)) return why->status;

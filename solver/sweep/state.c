@@ -15,14 +15,20 @@ static ptrdiff_t start_of(const struct heat_operator *a, ptrdiff_t row) {
     return operator_place(a, row % ny, row / ny);
 }
 
+/* From the last row to the first, so that no row is overwritten before it has moved. */
 void state_load(const struct heat_operator *a, const double *T, double *state) {
-    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
-    for (ptrdiff_t j = 0; j < rows; j++) memcpy(state + start_of(a, j), T + j * nx, (size_t)nx * sizeof *T);
+    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows, end = (ptrdiff_t)a->state;
+    for (ptrdiff_t j = rows; j-- > 0; end = start_of(a, j)) {
+        ptrdiff_t after = start_of(a, j) + nx;
+        memmove(state + start_of(a, j), T + j * nx, (size_t)nx * sizeof *T);
+        memset(state + after, 0, (size_t)(end - after) * sizeof *T);
+    }
+    memset(state, 0, (size_t)end * sizeof *T);
 }
 
 void state_store(const struct heat_operator *a, const double *state, double *T) {
     ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
-    for (ptrdiff_t j = 0; j < rows; j++) memcpy(T + j * nx, state + start_of(a, j), (size_t)nx * sizeof *T);
+    for (ptrdiff_t j = 0; j < rows; j++) memmove(T + j * nx, state + start_of(a, j), (size_t)nx * sizeof *T);
 }
 
 size_t state_find_outside(const struct heat_operator *a, const double *state, double lo, double hi) {

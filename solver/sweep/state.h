@@ -6,7 +6,7 @@
 
 /* The temperatures as an operator stores them: `state` doubles, rows of particles with their ghosts. */
 
-/* Conversion between the order of the n particles and a state. */
+/* Conversion between the order of the n particles and a state; T may be the start of the state.  Ghosts are 0. */
 void state_load(const struct heat_operator *a, const double *T, double *state);
 void state_store(const struct heat_operator *a, const double *state, double *T);
 /* The first particle outside [lo, hi] (a NaN is outside), or n. */

@@ -135,14 +135,14 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
     const struct stepper *s = stepper_of(m->stepper);
     const int arrays = s->arrays, stages = s->stages > 0 ? s->stages : m->stages;
     int status = STATUS_OK;
-    double *Y[3] = {NULL};
+    double *Y[3] = {T};
     struct heat_operator own = *a;
     struct changing *c = m->changing ? changing_create(&own, m, bytes) : NULL;
     struct update *u = list_updates(m, s, stages, arrays == 2 ? TOGETHER : 1);
     own.threads = stepper_threads(a->threads, a->n);
-    for (int k = 0; k < arrays; k++) Y[k] = xcalloc(a->state, sizeof *Y[k]);
-    *bytes += (size_t)arrays * a->state * sizeof **Y;
-    state_load(a, T, Y[0]);
+    for (int k = 1; k < arrays; k++) Y[k] = xcalloc(a->state, sizeof *Y[k]);
+    *bytes += ((size_t)arrays * a->state - a->n) * sizeof **Y;
+    state_load(a, T, T);
     for (long long done = 0; done < m->steps && !status;) {
         int count = m->steps - done < TOGETHER ? (int)(m->steps - done) : TOGETHER, damps = done == 0 && m->start[0];
         if (damps) damping_step(&own, c, m, Y);
@@ -153,7 +153,8 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
         status = check_bounds(m, a, Y[0], done, why);
     }
     state_store(a, Y[0], T);
-    for (int k = 0; k < arrays; k++) free(Y[k]);
+    for (int k = 0; k < arrays; k++)
+        if (Y[k] != T) free(Y[k]);
     free(u);
     changing_free(c);
     return status;

@@ -78,9 +78,9 @@ enum { STEPPER_SHARE = 16384 }; /* updates of particles per thread between two w
 /* The number of threads, at most `asked`, for which each has at least STEPPER_SHARE updates of the n particles. */
 int stepper_threads(int asked, size_t n);
 
-/* Advances T (n, in the particles' order) through the march and adds the bytes of its states to *bytes.  Returns
- * STATUS_UNSTABLE with step, time and particle if T leaves [lo, hi] by half of hi - lo or is not finite; checked
- * every 32 steps and at the end. */
+/* Advances T (n, in the particles' order, with room for a->state) through the march.  T is one of its states; adds
+ * the bytes of the others, and of the ghosts, to *bytes.  Returns STATUS_UNSTABLE with step, time and particle if T
+ * leaves [lo, hi] by half of hi - lo or is not finite; checked every 32 steps and at the end. */
 int stepper_march(const struct heat_operator *a, const struct march *m, double *T, size_t *bytes,
                   struct failure *why);
 

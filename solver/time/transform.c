@@ -7,9 +7,9 @@
  * are FFTW's r2r transforms ("1d Real-even DFTs", "1d Real-odd DFTs").
  *
  * One plan for a single line is applied line by line: FFTW's unmeasured plans for many lines are up to four times
- * slower.  Each pass writes rows along one axis to columns, so a pass for each axis transforms a plane or a box.
- * Plans of the first KEPT lengths are cached for the life of the program, because planning a short line takes thirty
- * times as long as its transform.  Results do not depend on the cache.
+ * slower.  A pass for each axis transforms a plane or a box in place.  Plans of the first KEPT lengths are cached for
+ * the life of the program, because planning a short line takes thirty times as long as its transform.  Results do not
+ * depend on the cache.
  *
  * With a Robin wall (ghosts as in layout.h) the modes are, k = 0 .. n - 1,
  *
@@ -28,7 +28,7 @@
 #include <string.h>
 
 enum {
-    LINES = 8, /* lines transformed before they are transposed: one cache line of each column */
+    LINES = 8, /* neighbouring lines gathered at a time: one cache line of each of their points */
     KEPT = 64
 };
 
@@ -198,35 +198,34 @@ double transform_flops(const struct transform *t) {
     return all;
 }
 
-/* work: LINES * n values. */
-static void pass(const struct axis *a, int way, size_t lines, const double *in, double *out, double *work) {
-    size_t n = (size_t)a->n;
-    for (size_t j = 0; j < lines; j += LINES) {
-        size_t count = lines - j < LINES ? lines - j : LINES;
-        for (size_t r = 0; r < count; r++) line(a, way, in + (j + r) * n, work + r * n);
-        for (size_t k = 0; k < n; k++)
-            for (size_t r = 0; r < count; r++) out[k * lines + j + r] = work[r * n + k];
-    }
+/* The lines of `blocks` blocks, of `stride` lines each, in place.  work: 2 LINES n values. */
+static void pass(const struct axis *a, int way, size_t stride, size_t blocks, double *T, double *work) {
+    const size_t n = (size_t)a->n;
+    double *in = work, *out = work + LINES * n;
+    for (size_t block = 0; block < blocks; block++)
+        for (size_t j = 0; j < stride; j += LINES) {
+            size_t count = stride - j < LINES ? stride - j : LINES;
+            double *line_0 = T + block * n * stride + j;
+            if (stride == 1) in = line_0;
+            for (size_t k = 0; k < n && stride > 1; k++)
+                for (size_t r = 0; r < count; r++) in[r * n + k] = line_0[k * stride + r];
+            for (size_t r = 0; r < count; r++) line(a, way, in + r * n, out + r * n);
+            for (size_t k = 0; k < n; k++)
+                for (size_t r = 0; r < count; r++) line_0[k * stride + r] = out[r * n + k];
+        }
 }
 
-/* One pass along each axis; each turns the order of the axes, and the last restores it. */
 static void passes(const struct transform *t, int way, int first, int last, double *T) {
-    size_t n = 1, longest = 0;
+    size_t n = 1, longest = 0, stride = 1;
     for (int a = first; a <= last; a++) {
         size_t along = (size_t)t->axis[a].n;
         n *= along;
         if (along > longest) longest = along;
     }
-    double *across = xcalloc(n, sizeof *across), *work = xcalloc(LINES * longest, sizeof *work), *in = T,
-           *out = across;
-    for (int a = first; a <= last; a++) {
-        pass(&t->axis[a], way, n / (size_t)t->axis[a].n, in, out, work);
-        double *swap = in;
-        in = out, out = swap;
-    }
-    if (in != T) memcpy(T, in, n * sizeof *T);
+    double *work = xcalloc(2 * LINES * longest, sizeof *work);
+    for (int a = first; a <= last; stride *= (size_t)t->axis[a++].n)
+        pass(&t->axis[a], way, stride, n / stride / (size_t)t->axis[a].n, T, work);
     free(work);
-    free(across);
 }
 
 void transform_axes_forward(const struct transform *t, int first, int last, double *T) {

@@ -29,7 +29,7 @@ double diagnosis_effect(const struct problem *p, const struct diagnosis *d, doub
     int failed = response_take(p, &l, fault, fault_bends(fault.kind) || fault.kind == FAULT_NEAR_WALL ? size : 0, &r);
     if (!failed) {
         struct field f;
-        field_alloc_lattice(&f, p->dim, l.n);
+        field_alloc_lattice(&f, p->dim, l.n, NULL);
         for (int a = 0; a < p->dim; a++)
             for (int i = 0; i < l.n[a]; i++) f.x[a][i] = p->lo[a] + (i + 0.5) * l.dx;
         response_at(&r, &l, &f, l.T, f.T);

@@ -37,34 +37,35 @@ static double doubled(double theta) {
     return theta <= 0 || theta >= M_PI ? 2 : 1;
 }
 
+/* Past dim theta is long and not at an end. */
 static double largest(const struct lattice *l, const double *Y) {
-    double most = 0, spacings = transform_scale(l) / (1 << l->dim);
-    size_t n = (size_t)l->n[0] * (size_t)l->n[1] * (size_t)l->n[2];
-    for (size_t i = 0; i < n; i++) {
-        double highest = 0, times = spacings;
-        size_t rest = i;
-        for (int a = 0; a < l->dim; rest /= (size_t)l->n[a++]) {
-            double theta = transform_angle(l, a, (int)(rest % (size_t)l->n[a]));
-            highest = fmax(highest, theta), times *= doubled(theta);
-        }
-        if (highest < M_PI / 2) continue;
-        double amplitude = fabs(Y[i]) / times;
-        if (!(amplitude <= most)) most = amplitude;
-        if (isnan(most)) return most;
+    double most = 0, spacings = transform_scale(l) / (1 << l->dim), *theta[DIM_MAX];
+    for (int a = 0; a < DIM_MAX; a++) {
+        theta[a] = xcalloc((size_t)l->n[a], sizeof **theta);
+        for (int k = 0; k < l->n[a]; k++) theta[a][k] = a < l->dim ? transform_angle(l, a, k) : M_PI / 4;
     }
+    for (int k = 0; k < l->n[2]; k++)
+        for (int j = 0; j < l->n[1]; j++) {
+            double highest = fmax(theta[1][j], theta[2][k]),
+                   times = spacings * doubled(theta[1][j]) * doubled(theta[2][k]);
+            for (int i = 0; i < l->n[0]; i++, Y++) {
+                double amplitude = fabs(*Y) / (times * doubled(theta[0][i]));
+                if (highest < M_PI / 2 && theta[0][i] < M_PI / 2) continue;
+                if (!(amplitude <= most) && !isnan(most)) most = amplitude;
+            }
+        }
+    for (int a = 0; a < DIM_MAX; a++) free(theta[a]);
     return most;
 }
 
-double checkerboard_amplitude(const struct problem *p, const struct field *f, const double *exact) {
+double checkerboard_amplitude(const struct problem *p, const struct field *f, double *exact) {
     for (int a = 0; a < f->dim; a++)
         if (f->shape[a] < 2) return NAN;
     struct lattice l = lattice_of(p, f);
-    double *e = xcalloc(f->n, sizeof *e);
     struct transform *t = transform_create(&l);
-    for (size_t i = 0; i < f->n; i++) e[i] = exact[i] == NORMS_NO_VALUE ? 0 : f->T[i] - exact[i];
-    transform_forward(t, e);
-    double amplitude = largest(&l, e);
+    for (size_t i = 0; i < f->n; i++) exact[i] = exact[i] == NORMS_NO_VALUE ? 0 : f->T[i] - exact[i];
+    transform_forward(t, exact);
+    double amplitude = largest(&l, exact);
     transform_free(t);
-    free(e);
     return amplitude;
 }

@@ -25,13 +25,13 @@ double memory_there(void) {
     return pages > 0 && page > 0 ? pages * page : 0;
 }
 
-/* Each particle has its position, temperature and exact temperature, and three further doubles: states, or the error
- * and its transform.  Each neighbour within 2 h (4 h in two sweeps) needs a weight and a column in the rows, and
- * twice that again during assembly; on a rod the rows are also stored as bands. */
+/* Each particle has four doubles (three states and a source, or the temperature, the exact one, and those of another
+ * run), and off the lattice its position.  Each neighbour within 2 h (4 h in two sweeps) needs a weight and a column
+ * in the rows, and twice that again during assembly; on a rod the rows are also stored as bands. */
 double memory_estimate(const struct experiment *e) {
-    const double ENTRY[3] = {0, 60, 40};
+    const double ENTRY[] = {0, 60, 40, 28};
     const struct problem *p = &e->problem;
-    double particles = 1, bytes = 8 * (p->dim + 4);
+    double particles = 1, bytes;
     struct options resolved;
     struct lattice l;
     struct failure ignored;
@@ -40,7 +40,8 @@ double memory_estimate(const struct experiment *e) {
     if (e->method->scheme && particles_prepare(p, &e->options, e->method->scheme, &resolved, &l, &rows, &ignored))
         rows = 0; /* refused, for example as too many particles: a lower bound */
     double reach = rows ? e->method->scheme->sweeps * resolved.h : 0; /* half width of a row, in dx */
-    bytes += ENTRY[p->dim] * (p->dim == 1 ? 4 * reach : 4 * M_PI * reach * reach);
+    double neighbours[] = {0, 4 * reach, 4 * M_PI * reach * reach, 32 * M_PI / 3 * reach * reach * reach};
+    bytes = 8 * (4 + (rows ? p->dim : 0)) + ENTRY[p->dim] * neighbours[p->dim];
     return particles * bytes;
 }
 

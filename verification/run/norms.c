@@ -15,37 +15,36 @@ static double weight(const struct field *f, size_t i) {
 
 enum { CHUNK = 2000 }; /* points per evaluation */
 
-/* Exact T and its error bound for the points from `first` on. */
-static void exact_chunk(const struct snapshot *now, const struct field *f, size_t first, double *T, double *bound) {
-    size_t n = f->n - first < CHUNK ? f->n - first : CHUNK;
-    struct exact *e = xcalloc(n, sizeof *e);
+/* Exact values at the n points from `first` on. */
+static void exact_chunk(const struct snapshot *now, const struct field *f, size_t first, size_t n, struct exact *e) {
     double at[DIM_MAX], x[DIM_MAX][CHUNK];
     for (size_t i = 0; i < n; i++) {
         field_place(f, first + i, at);
         for (int a = 0; a < DIM_MAX; a++) x[a][i] = at[a];
     }
     snapshot_at_points(now, n, x[0], f->dim > 1 ? x[1] : NULL, f->dim > 2 ? x[2] : NULL, e);
-    for (size_t i = 0; i < n; i++) {
-        T[first + i] = e[i].no_value ? NORMS_NO_VALUE : isfinite(e[i].temperature) ? e[i].temperature : NAN;
-        bound[first + i] = e[i].error_bound;
-    }
-    free(e);
 }
 
 /* Many points are evaluated by many threads; the sums are in the order of the points and do not depend on their
  * number. */
 double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T) {
-    double bound = 0, whole = 0, *bounds = xcalloc(f->n, sizeof *bounds);
+    double bound = 0, whole = 0;
     struct snapshot now = snapshot_take(s, p, f->time);
-#pragma omp parallel for schedule(dynamic, 1) if (f->n >= NORMS_MANY)
-    for (size_t i = 0; i < f->n; i += CHUNK) exact_chunk(&now, f, i, T, bounds);
-    snapshot_free(&now);
-    for (size_t i = 0; i < f->n; i++) {
-        if (T[i] == NORMS_NO_VALUE) continue;
-        bound += weight(f, i) * bounds[i];
-        whole += weight(f, i) * fabs(T[i]);
+#pragma omp parallel for ordered schedule(dynamic, 1) if (f->n >= NORMS_MANY)
+    for (size_t first = 0; first < f->n; first += CHUNK) {
+        size_t n = f->n - first < CHUNK ? f->n - first : CHUNK;
+        struct exact *e = xcalloc(n, sizeof *e);
+        exact_chunk(&now, f, first, n, e);
+#pragma omp ordered
+        for (size_t k = 0, i = first; k < n; k++, i++) {
+            T[i] = e[k].no_value ? NORMS_NO_VALUE : isfinite(e[k].temperature) ? e[k].temperature : NAN;
+            if (e[k].no_value) continue;
+            bound += weight(f, i) * e[k].error_bound;
+            whole += weight(f, i) * fabs(T[i]);
+        }
+        free(e);
     }
-    free(bounds);
+    snapshot_free(&now);
     return bound / whole;
 }
 
@@ -67,17 +66,19 @@ int norms_check(const struct field *f, const double *exact, struct failure *why)
         f->time);
 }
 
-/* Marks the points of the part with an exact value. */
-static unsigned char *points_that_count(const struct problem *p, const struct field *f, const double *exact,
-                                        enum norms_part part, double distance) {
-    unsigned char *counts = xcalloc(f->n, 1);
+unsigned char *norms_near(const struct problem *p, const struct field *f, double distance) {
+    unsigned char *near = xcalloc(f->n, 1);
 #pragma omp parallel for if (f->n >= NORMS_MANY)
     for (size_t i = 0; i < f->n; i++) {
         double x[DIM_MAX];
-        int near = part != NORMS_ALL && shape_depth(p, field_place(f, i, x)) < distance;
-        counts[i] = exact[i] != NORMS_NO_VALUE && part != (near ? NORMS_INTERIOR : NORMS_BOUNDARY);
+        near[i] = shape_depth(p, field_place(f, i, x)) < distance;
     }
-    return counts;
+    return near;
+}
+
+/* 1 if point i belongs to the part and has an exact value. */
+static int counts(const double *exact, enum norms_part part, const unsigned char *near, size_t i) {
+    return exact[i] != NORMS_NO_VALUE && (part == NORMS_ALL || near[i] == (part == NORMS_BOUNDARY));
 }
 
 /* The largest power of 2 up to x, by which division is exact; 1 for 0, infinity and NaN. */
@@ -87,14 +88,13 @@ static double power_below(double x) {
 
 /* Errors and temperatures are scaled by their maximum before they are squared, which prevents overflow and
  * underflow. */
-struct norms_error norms_error(const struct problem *p, const struct field *f, const double *exact,
-                               enum norms_part part, double distance) {
+struct norms_error norms_error(const struct field *f, const double *exact, enum norms_part part,
+                               const unsigned char *near) {
     double e1 = 0, e2 = 0, t1 = 0, t2 = 0, largest = 0;
     struct norms_error norms = {0};
-    unsigned char *counts = points_that_count(p, f, exact, part, distance);
     for (size_t i = 0; i < f->n; i++) {
         norms.left_out += exact[i] == NORMS_NO_VALUE;
-        if (!counts[i]) continue;
+        if (!counts(exact, part, near, i)) continue;
         double e = fabs(f->T[i] - exact[i]), T = fabs(exact[i]);
         e1 += weight(f, i) * e;
         t1 += weight(f, i) * T;
@@ -104,12 +104,11 @@ struct norms_error norms_error(const struct problem *p, const struct field *f, c
     }
     double unit[2] = {power_below(norms.linf), power_below(largest)};
     for (size_t i = 0; i < f->n; i++) {
-        if (!counts[i]) continue;
+        if (!counts(exact, part, near, i)) continue;
         double e = (f->T[i] - exact[i]) / unit[0], T = exact[i] / unit[1];
         e2 += weight(f, i) * e * e;
         t2 += weight(f, i) * T * T;
     }
-    free(counts);
     if (isnan(e1) || norms.n == 0) norms.linf = NAN; /* fmax skips a NaN */
     norms.l1 = e1 / t1;
     norms.l2 = sqrt(e2 / t2) * (unit[0] / unit[1]);
@@ -150,7 +149,7 @@ static double variation(const struct field *f) {
     return sum;
 }
 
-struct norms_shape norms_shape(const struct problem *p, const struct field *f, const double *exact) {
+struct norms_shape norms_shape(const struct problem *p, const struct field *f, double *exact) {
     struct norms_shape shape = {.min = INFINITY, .max = -INFINITY};
     double lo = f->range[0], hi = f->range[1], sum = 0;
     for (size_t i = 0; i < f->n; i++) {

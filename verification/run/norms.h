@@ -35,10 +35,13 @@ enum { NORMS_MANY = 20000 }; /* points above which threads pay off */
 
 enum norms_part { NORMS_ALL, NORMS_INTERIOR, NORMS_BOUNDARY };
 
-/* Over the points with a distance to the nearest wall of at least (interior) or below (boundary) `distance`, m.  All
- * norms are NaN if the field has a NaN or the part has no points. */
-struct norms_error norms_error(const struct problem *p, const struct field *f, const double *exact,
-                               enum norms_part part, double distance);
+/* Of each point: 1 if its distance to the nearest wall is below `distance`, m.  The caller frees the array. */
+unsigned char *norms_near(const struct problem *p, const struct field *f, double distance);
+
+/* Over the points that are near a wall (boundary) or not (interior); `near` is not read for all.  All norms are NaN
+ * if the field has a NaN or the part has no points. */
+struct norms_error norms_error(const struct field *f, const double *exact, enum norms_part part,
+                               const unsigned char *near);
 
 struct norms_shape {
     double min, max;              /* K, of the field */
@@ -47,14 +50,15 @@ struct norms_shape {
     double checkerboard;          /* K, see checkerboard_amplitude */
 };
 
-/* exact: T from norms_exact, K. */
-struct norms_shape norms_shape(const struct problem *p, const struct field *f, const double *exact);
+/* exact: T from norms_exact, K; overwritten by checkerboard_amplitude. */
+struct norms_shape norms_shape(const struct problem *p, const struct field *f, double *exact);
 
 /* (final heat - initial heat) / |initial heat| */
 double norms_heat_drift(const struct field *f);
 
 /* The largest amplitude, K, among the modes of the error T - exact with 2 to 4 points per wavelength along some
- * axis; a pure mode of amplitude c gives c.  NaN if the field is not on a lattice. */
-double checkerboard_amplitude(const struct problem *p, const struct field *f, const double *exact);
+ * axis; a pure mode of amplitude c gives c.  NaN if the field is not on a lattice.  Overwrites `exact` (T from
+ * norms_exact, K) with the transform of the error. */
+double checkerboard_amplitude(const struct problem *p, const struct field *f, double *exact);
 
 #endif

@@ -104,7 +104,7 @@ static double *find_limit(const struct search *s) {
 }
 
 static double whole_error(const struct search *s, const struct field *f) {
-    return norms_error(&s->e->problem, f, s->exact, NORMS_ALL, 0).l1;
+    return norms_error(f, s->exact, NORMS_ALL, NULL).l1;
 }
 
 static struct estimate compare(const struct search *s) {
@@ -141,8 +141,7 @@ static int refine(struct search *s, double *time_error, struct failure *why) {
 /* Memory besides a run during the search for its time step: the previous run, and the exact temperatures unless
  * polynomials are used. */
 static size_t search_bytes(const struct experiment *e, const struct field *f) {
-    size_t array = f->n * sizeof *f->T, answer = array * (size_t)(f->dim + 1 + (f->weight != NULL));
-    return stepper_of(e->options.stepper)->order == 0 ? answer : array + answer;
+    return field_bytes(f) + (stepper_of(e->options.stepper)->order == 0 ? 0 : f->n * sizeof *f->T);
 }
 
 static int solve_searched(const struct experiment *e, struct field *f, struct time_step *stepping,
@@ -175,7 +174,7 @@ static int solve_by_polynomials(const struct experiment *e, struct field *f, str
     double *exact = xcalloc(s.field.n, sizeof *exact);
     norms_exact(e->scene, &e->problem, &s.field, exact);
     *f = s.field;
-    stepping->time_error = s.error / norms_error(&e->problem, f, exact, NORMS_ALL, 0).l1;
+    stepping->time_error = s.error / norms_error(f, exact, NORMS_ALL, NULL).l1;
     stepping->updates = s.updates;
     f->cost.bytes += search_bytes(e, f);
     free(exact);

@@ -31,7 +31,7 @@ int long_run_measure(const struct model_problem *given, double F, long long step
     b.insulated = 1;
     struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     if (model_problem_operator(&b, &p, &a, why)) return why->status;
-    double *T = xcalloc(a.n, sizeof *T), before, largest;
+    double *T = xcalloc(a.state, sizeof *T), before, largest;
     for (size_t i = 0; i < a.n; i++) T[i] = 1.5 + p.initial(&p, (double[2]){(double)i, 0}) / 2;
     double start = heat(T, a.n, &before);
     int status = STATUS_OK;

@@ -152,7 +152,7 @@ static int march(const struct model_problem *b, const struct problem *p, double 
                  struct failure *why) {
     struct heat_operator a;
     if (model_problem_operator(b, p, &a, why)) return why->status;
-    double *T = xcalloc(a.n, sizeof *T);
+    double *T = xcalloc(a.state, sizeof *T);
     for (size_t i = 0; i < a.n; i++) {
         double x[DIM_MAX];
         for (size_t axis = 0, rest = i; axis < DIM_MAX; axis++, rest /= (size_t)b->n)

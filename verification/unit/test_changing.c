@@ -169,7 +169,7 @@ static void rkl2_is_its_published_recurrence(void **state) {
     struct lattice l;
     struct heat_operator a;
     const struct scheme *s = method_find("so_ssph")->scheme;
-    double T[N], U[N], *g[2];
+    double *T, U[N], *g[2];
     int rows;
     size_t bytes = 0;
     odd_find("rod-driven", &p);
@@ -177,6 +177,7 @@ static void rkl2_is_its_published_recurrence(void **state) {
     assert_int_equal(operator_create_lattice(&a, &p, &o, s, &l, &why), STATUS_OK);
     struct march m = {.stepper = STEPPER_RKL2, .time = 0.4, .steps = STEPS, .stages = STAGES, .hi = 5, .options = &o};
     m.changing = &p;
+    T = xcalloc(a.state, sizeof *T);
     for (int i = 0; i < N; i++) T[i] = U[i] = p.initial(&p, (double[]){l.first[0] + i * l.dx[0]});
     assert_int_equal(stepper_march(&a, &m, T, &bytes, &why), STATUS_OK);
     struct heat_operator own = a;
@@ -186,7 +187,7 @@ static void rkl2_is_its_published_recurrence(void **state) {
         published_step(&own, g, m.time / STEPS, STAGES, U);
     }
     for (int i = 0; i < N; i++) assert_near(T[i], U[i], 1e-13);
-    free(g[0]), free(g[1]);
+    free(g[0]), free(g[1]), free(T);
     operator_free(&a);
 }
 

@@ -23,10 +23,10 @@ static void check(const char *line, const char *says) {
 static void the_finest_spacing_that_fits_is_named(void **state) {
     (void)state;
     check("run rod-step so_ssph --dx 0.001 --memory 1e-5",
-          "needs 0.00016 GB, --memory allows 1e-05 GB; --dx 0.016 fits");
-    check("run rod-step so_ssph --dx 0.016 --memory 1e-5", NULL);
-    check("run square-step so_ssph --dx 0.1 --memory 1e-5", "--dx 0.2857142857 fits");
-    check("run square-step so_ssph --dx 0.2857142857 --memory 1e-5", NULL);
+          "needs 0.000128 GB, --memory allows 1e-05 GB; --dx 0.01282051282 fits");
+    check("run rod-step so_ssph --dx 0.01282051282 --memory 1e-5", NULL);
+    check("run square-step so_ssph --dx 0.1 --memory 1e-5", "--dx 0.2352941176 fits");
+    check("run square-step so_ssph --dx 0.2352941176 --memory 1e-5", NULL);
     check("run square-step so_ssph --dx 4/20000 --layout jitter --jitter 0.2 --memory 24", "GB sets another limit");
 }
 
@@ -35,8 +35,9 @@ static void rows_count_with_their_neighbours(void **state) {
     (void)state;
     static const char *const lines[] = {"run square-step so_ssph --dx 0.1 --layout jitter --jitter 0.2",
                                         "run square-step so_ssph --dx 0.1 --layout jitter --jitter 0.2 --h 1.5",
-                                        "run rod-contact brookshaw --dx 0.002"};
-    for (int i = 0; i < 3; i++) {
+                                        "run rod-contact brookshaw --dx 0.002",
+                                        "run cube-step so_ssph --dx 0.2 --layout jitter --jitter 0.2 --dt 0.1"};
+    for (int i = 0; i < 4; i++) {
         struct command r;
         struct result result;
         struct failure why;
@@ -44,7 +45,7 @@ static void rows_count_with_their_neighbours(void **state) {
         assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
         double times = memory_estimate(&r.experiment) / (double)result.cost.bytes;
         assert_order(times, >, 1.3);
-        assert_order(times, <, 3);
+        assert_order(times, <, 3.2);
         command_free(&r);
     }
 }
