@@ -58,10 +58,11 @@ static double wall_value(const struct faulty *f, enum side s, double value, int 
     return f->fault.kind == FAULT_OFFSET && f->right->side[s] != NEUMANN && !is_rate ? value + f->size : value;
 }
 
-/* The time at which the faulty problem takes its walls. */
-static double wall_time(const struct faulty *f, double t) {
+/* The time at which the faulty problem takes side s. */
+static double wall_time(const struct faulty *f, enum side s, double t) {
     if (f->fault.kind == FAULT_WALL_FROZEN) return 0;
-    return f->fault.kind == FAULT_WALL_TIME ? t + f->size : t;
+    int of_side = f->fault.axis == 0 || f->fault.axis == 1 + (int)s;
+    return f->fault.kind == FAULT_WALL_TIME && of_side ? t + f->size : t;
 }
 
 static double wall(const struct problem *p, enum side s, const double *x, double t) {
@@ -69,7 +70,7 @@ static double wall(const struct problem *p, enum side s, const double *x, double
     const struct faulty *f = faulty_at(p, x, at);
     if (f->fault.kind == FAULT_TRANSPOSED)
         return f->right->wall(f->right, exchanged_side(f->fault.axis, (int)s), at, t);
-    return wall_value(f, s, f->right->wall(f->right, s, at, wall_time(f, t)), 0);
+    return wall_value(f, s, f->right->wall(f->right, s, at, wall_time(f, s, t)), 0);
 }
 
 static double wall_rate(const struct problem *p, enum side s, const double *x, double t) {
@@ -77,7 +78,7 @@ static double wall_rate(const struct problem *p, enum side s, const double *x, d
     const struct faulty *f = faulty_at(p, x, at);
     if (f->fault.kind == FAULT_TRANSPOSED)
         return f->right->wall_rate(f->right, exchanged_side(f->fault.axis, (int)s), at, t);
-    return wall_value(f, s, f->right->wall_rate(f->right, s, at, wall_time(f, t)), 1);
+    return wall_value(f, s, f->right->wall_rate(f->right, s, at, wall_time(f, s, t)), 1);
 }
 
 /* Heat lost in the cell of a corner or the cells of an edge, W m^-3, if its Dirichlet sides at T are assumed cold: 2

@@ -15,7 +15,7 @@ enum fault_kind {
     FAULT_SOURCE,       /* relative: the source; -1: missing */
     FAULT_SOURCE_TIME,  /* s: a time-dependent source is evaluated this much too late */
     FAULT_FROZEN,       /* 1: a time-dependent source keeps its initial value */
-    FAULT_WALL_TIME,    /* s: the data of walls that change are evaluated this much too late */
+    FAULT_WALL_TIME,    /* s: the data of walls that change, or of one of them, are evaluated this much too late */
     FAULT_WALL_FROZEN,  /* 1: walls that change keep their initial values */
     FAULT_CAPACITY,     /* 1: the second material has rho c of the first */
     FAULT_DIFFUSIVITY,  /* 1: the flux between two materials is computed with their diffusivities, on each side with
@@ -46,7 +46,7 @@ struct fault {
     enum fault_kind kind;
     int axis; /* in the case.  FAULT_SWAP, FAULT_TRANSPOSED: fault_pair; FAULT_ISOTROPIC: fault_other; FAULT_EXTENT:
                  also both of a plane or all of a box; FAULT_WALL and FAULT_COEFFICIENT: the side, or all sides of
-                 given flux and all cooled sides; FAULT_RHO_C: the material; FAULT_CORNER: 2 y + x of a plane, with 1
+                 given flux and all cooled sides; FAULT_WALL_TIME: 0 for all, 1 + the side; FAULT_RHO_C: the material; FAULT_CORNER: 2 y + x of a plane, with 1
                  for the upper end; 4 + 4 z + 2 y + x of a box; 12 + 4 c + bits of its edge along axis c; FAULT_ANY:
                  rows that differ in it */
 };

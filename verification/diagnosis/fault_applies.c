@@ -101,6 +101,19 @@ static int has_pair(const struct problem *p, enum fault_kind kind, int axis) {
     return k[a] != k[b];
 }
 
+/* Whether that side changes in time, and another one too. */
+static int is_one_of_changing(const struct problem *p, int side) {
+    int changing = 0, this_one = 0;
+    for (int s = 0; s < 2 * p->dim; s++) {
+        double x[DIM_MAX] = {0};
+        for (int a = 0; a < p->dim; a++) x[a] = p->lo[a] + 0.37 * (p->hi[a] - p->lo[a]);
+        int changes = p->wall_rate(p, (enum side)s, x, 0.31 * p->t_end) != 0;
+        changing += changes;
+        this_one = this_one || (changes && s == side);
+    }
+    return this_one && changing > 1;
+}
+
 int fault_applies(const struct problem *p, struct fault fault) {
     const enum fault_kind kind = fault.kind;
     const int axis = fault.axis;
@@ -112,7 +125,8 @@ int fault_applies(const struct problem *p, struct fault fault) {
     if (kind == FAULT_CORNER) return p->dim > 1 && !p->shape && has_corner(p, axis);
     if (kind == FAULT_SOURCE) return p->source || p->source_at;
     if (kind == FAULT_SOURCE_TIME || kind == FAULT_FROZEN) return p->source_rate || p->source_at;
-    if (kind == FAULT_WALL_TIME || kind == FAULT_WALL_FROZEN) return p->wall_rate != 0;
+    if (kind == FAULT_WALL_TIME) return p->wall_rate && (axis == 0 || is_one_of_changing(p, axis - 1));
+    if (kind == FAULT_WALL_FROZEN) return p->wall_rate != 0;
     if (kind == FAULT_DIFFUSIVITY) return has_diffusivities(p);
     if (kind == FAULT_CAPACITY) return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
     if (kind == FAULT_AXIS) return p->dim > 1 && axis < p->dim;
@@ -134,7 +148,8 @@ int fault_is_whole(enum fault_kind kind) {
 }
 
 int fault_bends(enum fault_kind kind) {
-    return kind == FAULT_CONDUCTIVITY || kind == FAULT_AXIS || kind == FAULT_RHO_C || kind == FAULT_COEFFICIENT;
+    return kind == FAULT_CONDUCTIVITY || kind == FAULT_AXIS || kind == FAULT_RHO_C || kind == FAULT_COEFFICIENT ||
+           kind == FAULT_WALL_TIME;
 }
 
 int fault_can_be(const struct problem *p, enum fault_kind kind, double size) {
@@ -142,7 +157,7 @@ int fault_can_be(const struct problem *p, enum fault_kind kind, double size) {
     if (kind == FAULT_WALL || kind == FAULT_SOURCE) return size > -1.05 || fabs(size + 2) < SIGN;
     if (kind == FAULT_CLOCK) return size > -p->t_end;
     if (kind == FAULT_AMPLITUDE || kind == FAULT_COEFFICIENT) return size > -1.05;
-    return !fault_bends(kind) || size > -1;
+    return !fault_bends(kind) || kind == FAULT_WALL_TIME || size > -1;
 }
 
 double fault_probe(const struct problem *p, struct fault fault) {

@@ -38,7 +38,7 @@ static int list_faults(const struct problem *p, struct fault *list) {
                  {FAULT_SAMPLES, DIM_MAX},
                  {FAULT_WALL, FAULT_ALL_SIDES + 1},
                  {FAULT_CORNER, FAULT_CORNERS},
-                 {FAULT_WALL_TIME, 1},
+                 {FAULT_WALL_TIME, 1 + SIDES},
                  {FAULT_WALL_FROZEN, 1},
                  {FAULT_COEFFICIENT, FAULT_ALL_SIDES + 1},
                  {FAULT_LAW, LAWS},
@@ -113,12 +113,16 @@ static int fit_at(const struct looked_at *at, struct fault fault, double size, s
 static int fit_bent(const struct looked_at *at, struct fault fault, struct fit fit[2]) {
     enum { ROUNDS = 6 };
     static const double LARGE = 0.05, MOST = 3, SAME = 0.01, LIKELY = 0.5, STEEP = 0.9;
-    const double least = fault.kind == FAULT_COEFFICIENT ? -1 : -0.9; /* b may be 0, k and rho c may not */
+    const int phase = fault.kind == FAULT_WALL_TIME;
+    const double least = phase                             ? -MOST
+                         : fault.kind == FAULT_COEFFICIENT ? -1
+                                                           : -0.9; /* b may be 0, k and rho c not */
+    const double unit = phase ? at->p->t_end / 4 : 1;
     int failed = fit_at(at, fault, 0, fit);
     double before[2] = {0, fit[0].size}, s = before[1];
     for (int round = 0; round < ROUNDS && !failed && fault_bends(fault.kind); round++) {
-        if (!(fit[0].share > LIKELY && fit[0].part > FIT_MOST && fabs(s) > LARGE)) break;
-        s = fmin(fmax(s, least), MOST);
+        if (!(fit[0].share > LIKELY && fit[0].part > FIT_MOST && fabs(s) > LARGE * unit)) break;
+        s = fmin(fmax(s, least * unit), MOST * unit);
         failed = fit_at(at, fault, s, fit);
         double found = fit[0].size, slope = (found - before[1]) / (s - before[0]);
         if (failed || fabs(found - s) <= SAME * fabs(found)) break;

@@ -50,7 +50,8 @@ static int fit(const struct problem *p, int n) {
 }
 
 int response_lattice_create(const struct problem *p, struct response_lattice *l) {
-    const int coarse = p->k_law ? 2 : 1; /* the steps of k(T) take ten times as long */
+    /* the steps of k(T), and of walls that change in the plane, take ten times as long */
+    const int coarse = p->k_law || (p->wall_rate && p->dim > 1) ? 2 : 1;
     int best = -1, n = 0, least = p->dim == 3 ? 16 : 64, most = p->dim == 3 ? 40 : 128;
     for (int i = least / coarse; i <= most / coarse; i++)
         if (fit(p, i) > best) best = fit(p, i), n = i;

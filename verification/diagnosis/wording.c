@@ -20,6 +20,9 @@ static const char *const materials[] = {"first", "second"};
 static const char *const sides[] = {"side x_lo holds",         "side x_hi holds", "side y_lo holds",
                                     "side y_hi holds",         "side z_lo holds", "side z_hi holds",
                                     "sides of given flux hold"};
+static const char *const walls[] = {"the walls were those", "side x_lo were that", "side x_hi were that",
+                                    "side y_lo were that",  "side y_hi were that", "side z_lo were that",
+                                    "side z_hi were that"};
 static const char *const cooled[] = {
     " of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi", " of side z_lo", " of side z_hi", "s"};
 static const char *const corners[] = {
@@ -57,7 +60,7 @@ static const struct {
     [FAULT_SOURCE] = {.text = "as if the source were {size} % too {way}"},
     [FAULT_SOURCE_TIME] = {"as if the source were that of {size} {unit} {way}", NULL, NULL, "earlier", "later"},
     [FAULT_FROZEN] = {.text = "as if the source kept its first value"},
-    [FAULT_WALL_TIME] = {"as if the walls were those of {size} {unit} {way}", NULL, NULL, "earlier", "later"},
+    [FAULT_WALL_TIME] = {"as if {name} of {size} {unit} {way}", walls, "the walls were those", "earlier", "later"},
     [FAULT_WALL_FROZEN] = {.text = "as if the walls kept their first values"},
     [FAULT_CAPACITY] = {.text = "as if rho c of the second material were that of the first"},
     [FAULT_DIFFUSIVITY] = {.text = "as if a mean of diffusivities stood for the mean of conductivities between two "
@@ -106,7 +109,7 @@ static const char *text_of(const struct diagnosis *d) {
         return d->size < 0 ? "as if the source were that of {size} steps earlier: of the step's start, not its middle"
                            : "as if the source were that of {size} steps later: of the step's end, not its middle";
     if (d->fault.kind == FAULT_WALL_TIME && strcmp(d->unit, "steps") == 0 && fabs(d->size + 0.5) < 0.1)
-        return "as if the walls were those of {size} steps earlier: of the step's start in every stage";
+        return "as if {name} of {size} steps earlier: of the step's start in every stage";
     if ((is_wall || is_source) && fabs(d->size + 100) < 5)
         return is_wall ? "as if what {name} were lost" : "as if the source were lost";
     if ((is_wall || is_source) && fabs(d->size + 200) < 10)

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Data that are taken a part of a step late, from two answers on one grid. */
+#include "references/scene.h"
 #include "solver/method.h"
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/odd_scenes.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_errno.h>
@@ -58,9 +60,48 @@ static void sources_of_another_time_are_named_with_their_size(void **state) {
     assert_int_equal(diagnosed("wall-kirchhoff", FAULT_SOURCE_TIME, 0).named, 0);
 }
 
+/* The phase of a wall is the same at every spacing; the response to it is not proportional to its size. */
+static void phases_are_named_with_size_and_side(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene;
+        int axis;
+        double late; /* s */
+    } row[] = {{"rod-driven", 0, -0.8}, {"plate-driven", 0, 0.9}, {"plate-driven", 1 + X_LO, 1.1}};
+    for (int k = 0; k < 3; k++) {
+        const struct scene *s = scene_find(row[k].scene);
+        struct problem p;
+        struct faulty with;
+        struct field f[2];
+        struct diagnosis_rung rung[2];
+        struct diagnosis d;
+        odd_find(row[k].scene, &p);
+        fault_make(&p, (struct fault){FAULT_WALL_TIME, row[k].axis}, row[k].late, &with);
+        for (int i = 0; i < 2; i++) {
+            double dx = (p.hi[0] - p.lo[0]) / (i ? 18 : 36);
+            f[i] = solved(&with.problem, dx, 0.1 * dx * dx / problem_diffusivity(&p));
+            double *exact = xcalloc(f[i].n, sizeof *exact), x[DIM_MAX];
+            for (size_t j = 0; j < f[i].n; j++)
+                exact[j] = scene_exact(s, &p, field_place(&f[i], j, x), p.t_end).temperature;
+            rung[i] = (struct diagnosis_rung){&f[i], exact, dx, f[i].dt, NAN};
+        }
+        diagnosis_find(&p, &rung[0], &rung[1], &d);
+        print_message("%s: %s\n", row[k].scene, d.what);
+        assert_int_equal(d.named && d.fault.kind == FAULT_WALL_TIME, 1);
+        assert_int_equal(d.fault.axis, row[k].axis);
+        assert_string_equal(d.unit, "s");
+        assert_near(d.size, row[k].late, 0.02);
+        for (int i = 0; i < 2; i++) {
+            free((void *)rung[i].exact);
+            field_free(&f[i]);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(walls_of_another_time_are_named_with_their_size),
+        cmocka_unit_test(phases_are_named_with_size_and_side),
         cmocka_unit_test(sources_of_another_time_are_named_with_their_size),
     };
     gsl_set_error_handler_off();
