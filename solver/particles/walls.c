@@ -87,7 +87,11 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
     near->nb = (struct neighbourhood){.dim = q->dim, .i = place, .d = near->d};
     layout_cloud_place(q, place, near->nb.x);
     size_t found = neighbours_find(&w->cells, place, all, NEIGHBOURS_MAX);
-    if (found > NEIGHBOURS_MAX) found = NEIGHBOURS_MAX;
+    if (found > NEIGHBOURS_MAX) { /* dummies share a foot; the particles among them must not be cut off */
+        free(all);
+        all = xcalloc(found, sizeof *all);
+        neighbours_find(&w->cells, place, all, found);
+    }
     struct failure last; /* failure of the attempts; a success leaves *why unchanged */
     char text[PLACE_TEXT];
     const double *x = near->nb.x;
@@ -97,7 +101,7 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
     for (double grown = 1; grown <= w->widest && status; grown *= 1.1) {
         double H = grown * w->o->h * w->spacing, most = KERNEL_SUPPORT * H * (1 - 1e-9);
         size_t n = 0;
-        for (size_t k = 0; k < found; k++) {
+        for (size_t k = 0; k < found && n < NEIGHBOURS_MAX; k++) {
             if (all[k] >= q->n) continue;
             layout_cloud_place(q, all[k], near->d[n]);
             for (int a = 0; a < DIM_MAX; a++) near->d[n][a] -= x[a];

@@ -35,7 +35,7 @@ enum { NORMS_MANY = 20000 }; /* points above which threads pay off */
 
 enum norms_part { NORMS_ALL, NORMS_INTERIOR, NORMS_BOUNDARY };
 
-/* Of each point: 1 if its distance to the nearest wall is below `distance`, m.  The caller frees the array. */
+/* 1 for each point whose distance to the nearest wall is below `distance`, m.  The caller frees the array. */
 unsigned char *norms_near(const struct problem *p, const struct field *f, double distance);
 
 /* Over the points that are near a wall (boundary) or not (interior); `near` is not read for all.  All norms are NaN
