@@ -58,6 +58,17 @@ static double wall_value(const struct faulty *f, enum side s, double value, int 
     return f->fault.kind == FAULT_OFFSET && f->right->side[s] != NEUMANN && !is_rate ? value + f->size : value;
 }
 
+/* Middle between the lowest and the highest of 17 values of side s at x during the run. */
+static double middle_of_range(const struct problem *p, enum side s, const double *x) {
+    enum { TIMES = 17 };
+    double lo = INFINITY, hi = -INFINITY;
+    for (int i = 0; i < TIMES; i++) {
+        double value = p->wall(p, s, x, p->t_end * i / (TIMES - 1));
+        lo = fmin(lo, value), hi = fmax(hi, value);
+    }
+    return (lo + hi) / 2;
+}
+
 /* The time at which the faulty problem takes side s. */
 static double wall_time(const struct faulty *f, enum side s, double t) {
     if (f->fault.kind == FAULT_WALL_FROZEN) return 0;
@@ -70,7 +81,9 @@ static double wall(const struct problem *p, enum side s, const double *x, double
     const struct faulty *f = faulty_at(p, x, at);
     if (f->fault.kind == FAULT_TRANSPOSED)
         return f->right->wall(f->right, exchanged_side(f->fault.axis, (int)s), at, t);
-    return wall_value(f, s, f->right->wall(f->right, s, at, wall_time(f, s, t)), 0);
+    double value = f->right->wall(f->right, s, at, wall_time(f, s, t));
+    if (f->fault.kind == FAULT_WALL_SWING) value += f->size * (value - middle_of_range(f->right, s, at));
+    return wall_value(f, s, value, 0);
 }
 
 static double wall_rate(const struct problem *p, enum side s, const double *x, double t) {
@@ -78,7 +91,8 @@ static double wall_rate(const struct problem *p, enum side s, const double *x, d
     const struct faulty *f = faulty_at(p, x, at);
     if (f->fault.kind == FAULT_TRANSPOSED)
         return f->right->wall_rate(f->right, exchanged_side(f->fault.axis, (int)s), at, t);
-    return wall_value(f, s, f->right->wall_rate(f->right, s, at, wall_time(f, s, t)), 1);
+    double rate = f->right->wall_rate(f->right, s, at, wall_time(f, s, t));
+    return wall_value(f, s, f->fault.kind == FAULT_WALL_SWING ? (1 + f->size) * rate : rate, 1);
 }
 
 /* Heat lost in the cell of a corner or the cells of an edge, W m^-3, if its Dirichlet sides at T are assumed cold: 2

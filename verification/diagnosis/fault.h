@@ -16,6 +16,7 @@ enum fault_kind {
     FAULT_SOURCE_TIME,  /* s: a time-dependent source is evaluated this much too late */
     FAULT_FROZEN,       /* 1: a time-dependent source keeps its initial value */
     FAULT_WALL_TIME,    /* s: the data of walls that change, or of one of them, are evaluated this much too late */
+    FAULT_WALL_SWING,   /* relative: the change of walls in time, about the middle of their range */
     FAULT_WALL_FROZEN,  /* 1: walls that change keep their initial values */
     FAULT_CAPACITY,     /* 1: the second material has rho c of the first */
     FAULT_DIFFUSIVITY,  /* 1: the flux between two materials is computed with their diffusivities, on each side with

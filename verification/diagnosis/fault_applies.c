@@ -126,7 +126,7 @@ int fault_applies(const struct problem *p, struct fault fault) {
     if (kind == FAULT_SOURCE) return p->source || p->source_at;
     if (kind == FAULT_SOURCE_TIME || kind == FAULT_FROZEN) return p->source_rate || p->source_at;
     if (kind == FAULT_WALL_TIME) return p->wall_rate && (axis == 0 || is_one_of_changing(p, axis - 1));
-    if (kind == FAULT_WALL_FROZEN) return p->wall_rate != 0;
+    if (kind == FAULT_WALL_FROZEN || (kind == FAULT_WALL_SWING && axis == 0)) return p->wall_rate != 0;
     if (kind == FAULT_DIFFUSIVITY) return has_diffusivities(p);
     if (kind == FAULT_CAPACITY) return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
     if (kind == FAULT_AXIS) return p->dim > 1 && axis < p->dim;

@@ -40,6 +40,7 @@ static int list_faults(const struct problem *p, struct fault *list) {
                  {FAULT_CORNER, FAULT_CORNERS},
                  {FAULT_WALL_TIME, 1 + SIDES},
                  {FAULT_WALL_FROZEN, 1},
+                 {FAULT_WALL_SWING, 1},
                  {FAULT_COEFFICIENT, FAULT_ALL_SIDES + 1},
                  {FAULT_LAW, LAWS},
                  {FAULT_AXIS, DIM_MAX},

@@ -61,6 +61,7 @@ static const struct {
     [FAULT_SOURCE_TIME] = {"as if the source were that of {size} {unit} {way}", NULL, NULL, "earlier", "later"},
     [FAULT_FROZEN] = {.text = "as if the source kept its first value"},
     [FAULT_WALL_TIME] = {"as if {name} of {size} {unit} {way}", walls, "the walls were those", "earlier", "later"},
+    [FAULT_WALL_SWING] = {.text = "as if the change of the walls in time were {size} % too {way}"},
     [FAULT_WALL_FROZEN] = {.text = "as if the walls kept their first values"},
     [FAULT_CAPACITY] = {.text = "as if rho c of the second material were that of the first"},
     [FAULT_DIFFUSIVITY] = {.text = "as if a mean of diffusivities stood for the mean of conductivities between two "
