@@ -50,6 +50,27 @@ static void rows_count_with_their_neighbours(void **state) {
     }
 }
 
+/* Two states of T, each with its ghosts; exp(tA) transforms T in place. */
+static void a_particle_of_a_box_takes_under_twenty_bytes(void **state) {
+    (void)state;
+    static const char *const given[] = {"so_ssph --stepper euler --dt 0.01", "so_ssph --stepper exact",
+                                        "ftcs --dt 0.01", "ftcs_flux --dt 0.01"};
+    static const double most[] = {20, 8.1, 20, 10.5};
+    for (int i = 0; i < 4; i++) {
+        char line[160];
+        struct command r;
+        struct field f;
+        struct failure why;
+        snprintf(line, sizeof line, "run cube-step %s --dx 4/100 --set t_end=0.01", given[i]);
+        if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+        if (method_solve(r.experiment.method, &r.experiment.problem, &r.experiment.options, &f, &why))
+            fail_msg("%s", why.text);
+        assert_order((double)f.cost.bytes / (double)f.n, <, most[i]);
+        field_free(&f);
+        command_free(&r);
+    }
+}
+
 static void free_memory_is_less_than_the_machine_has(void **state) {
     (void)state;
     double all = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
@@ -61,6 +82,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_finest_spacing_that_fits_is_named),
         cmocka_unit_test(rows_count_with_their_neighbours),
+        cmocka_unit_test(a_particle_of_a_box_takes_under_twenty_bytes),
         cmocka_unit_test(free_memory_is_less_than_the_machine_has),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
