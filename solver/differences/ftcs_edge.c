@@ -31,17 +31,15 @@ static double conducts(const struct ftcs_grid *g, const struct problem *p, enum 
 }
 
 /* Correction of a ghost at the distance d for boundary data that vary and change and for the source, times the
- * conductivity across the side, K W m^-1 K^-1. */
+ * conductivity across the side, K W m^-1 K^-1.  value: the wall's at its foot. */
 static double beyond(const struct ftcs_grid *g, const struct problem *p, enum side s, int place, const double *foot,
-                     double t, double d) {
+                     double value, double t, double d) {
     const int a = (int)s / 2, column = s == X_LO ? 0 : s == X_HI ? g->n[0] - 1 : place % g->n[0];
     double bend = 0, stored = 0, outwards = s % 2 ? d : -d;
     for (int b = 0; b < p->dim; b++) {
         double lo[DIM_MAX] = {foot[0], foot[1], foot[2]}, hi[DIM_MAX] = {foot[0], foot[1], foot[2]};
         lo[b] -= d, hi[b] += d;
-        if (b != a)
-            bend += conducts(g, p, s, place, b) *
-                    (p->wall(p, s, lo, t) - 2 * p->wall(p, s, foot, t) + p->wall(p, s, hi, t));
+        if (b != a) bend += conducts(g, p, s, place, b) * (p->wall(p, s, lo, t) - 2 * value + p->wall(p, s, hi, t));
     }
     if (p->wall_rate) {
         double rho_c = ftcs_layers_rho_c(p, g->d[0], g->origin[0] + column * g->d[0]);
@@ -78,14 +76,20 @@ void ftcs_edge_make(struct ftcs_grid *g, const struct problem *p, const struct o
     }
 }
 
-/* K, of a ghost at the foot x */
+/* Layers that the method reads. */
+static int layers(const struct ftcs_grid *g) {
+    return g->with_fluxes ? FTCS_LAYERS : 1;
+}
+
+/* K, of a ghost at the foot x, where the wall has that value */
 static double offset(const struct ftcs_grid *g, const struct problem *p, enum side s, int m, int place,
-                     const double *x, double t) {
+                     const double *x, double value, double t) {
     const struct ftcs_edge *e = &g->edge[s];
-    const double value = p->wall(p, s, x, t), k = conducts(g, p, s, place, (int)s / 2), apart = e->apart[m];
+    const double k = conducts(g, p, s, place, (int)s / 2), apart = e->apart[m];
     if (p->side[s] == ROBIN) return taken(conducts(g, p, s, 0, (int)s / 2), p->robin[s], apart) * value;
     if (e->sign[m] == 0) return value;
-    return (p->side[s] == DIRICHLET ? 2 * value : value / k * apart) + beyond(g, p, s, place, x, t, apart / 2) / k;
+    return (p->side[s] == DIRICHLET ? 2 * value : value / k * apart) +
+           beyond(g, p, s, place, x, value, t, apart / 2) / k;
 }
 
 void ftcs_edge_data(struct ftcs_grid *g, const struct problem *p, double t) {
@@ -98,9 +102,9 @@ void ftcs_edge_data(struct ftcs_grid *g, const struct problem *p, double t) {
             x[a] = s % 2 ? p->hi[a] : p->lo[a];
             x[b] = g->origin[b] + place % g->n[b] * g->d[b];
             x[c] = g->origin[c] + place / g->n[b] * g->d[c]; /* 0 in the plane */
-            for (int m = 0; m < FTCS_LAYERS; m++)
-                e->offset[m * e->places + place] = offset(g, p, (enum side)s, m, place, x, t);
             double value = p->wall(p, (enum side)s, x, t), k = conducts(g, p, (enum side)s, place, a);
+            for (int m = 0; m < layers(g); m++)
+                e->offset[m * e->places + place] = offset(g, p, (enum side)s, m, place, x, value, t);
             if (p->side[s] == NEUMANN)
                 g->inflow = fmax(g->inflow, fabs(value) * (extent / k + p->t_end / g->rho_c / extent));
             else
@@ -121,7 +125,7 @@ static void reflect(ptrdiff_t n, double sign, const double *restrict T, const do
 static inline void ends(const struct ftcs_grid *g, ptrdiff_t place, double *row) {
     const struct ftcs_edge *lo = &g->edge[X_LO], *hi = &g->edge[X_HI];
     const ptrdiff_t nx = g->n[0];
-    for (int m = 0; m < FTCS_LAYERS; m++) {
+    for (int m = 0; m < layers(g); m++) {
         row[-1 - m] = lo->sign[m] * row[lo->mirror[m]] + lo->offset[m * lo->places + place];
         row[nx + m] = hi->sign[m] * row[nx - 1 - hi->mirror[m]] + hi->offset[m * hi->places + place];
     }
@@ -134,7 +138,7 @@ static void lateral_walls(const struct ftcs_grid *g) {
         const int a = s / 2, b = 3 - a; /* rows along x, side by side along b */
         const ptrdiff_t inwards = s % 2 ? -g->stride[a] : g->stride[a];
         double *side = g->T + g->corner + (s % 2 ? (g->n[a] - 1) * g->stride[a] : 0);
-        for (ptrdiff_t m = 0; m < FTCS_LAYERS; m++)
+        for (ptrdiff_t m = 0; m < layers(g); m++)
             for (ptrdiff_t j = 0; j < g->n[b]; j++) {
                 double *T = side + j * g->stride[b];
                 reflect(nx, e->sign[m], T + e->mirror[m] * inwards, e->offset + m * e->places + j * nx,
