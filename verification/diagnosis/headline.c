@@ -80,6 +80,7 @@ int headline_contradicts(const struct headline *h, const struct problem *p, doub
     int other_mean = d.fault.kind == FAULT_MEAN && (d.fault.axis == FAULT_ANY || d.fault.axis == MEAN_IS_OTHER);
     if (other_mean || (d.fault.axis == FAULT_ANY && p->dim > 1)) return 0; /* it may differ from row to row */
     if (d.fault.axis == FAULT_ANY) d.fault.axis = 0;
+    if (p->k_law && d.fault.kind == FAULT_CONDUCTIVITY) return 0; /* k there is from a law of its own */
     int of_sides = d.fault.kind == FAULT_EXTENT || d.fault.kind == FAULT_WALL;
     if (of_sides && (!d.sides || d.sides & ~diagnosis_sides(p, d.fault))) return 0; /* walls of another kind */
     return diagnosis_effect(p, &d, dx, zero) > SURE * ceiling;

@@ -169,6 +169,8 @@ static void rows_that_pass_refute_a_headline(void **state) {
     double effect = diagnosis_effect(&p, &h.fault, 0.05, 0);
     assert_int_equal(headline_contradicts(&h, &p, 0.05, 0, 0.49 * effect), 1);
     assert_int_equal(headline_contradicts(&h, &p, 0.05, 0, 0.51 * effect), 0);
+    struct problem law = problem_of("wall-kirchhoff"); /* k of its own */
+    assert_int_equal(headline_contradicts(&h, &law, 0.05, 0, 1e-9), 0);
     for (int k = 0; k < 2; k++) {
         found[0] = of(FAULT_EXTENT, 0, 0.5, "cells");
         found[0].sides = k ? 1u << DIRICHLET : 1u << NEUMANN;
