@@ -14,7 +14,8 @@
 #include <omp.h>
 #include <string.h>
 
-static const int COARSEST[3] = {0, 32, 16}, FINEST[3] = {0, 4096, 640}; /* particles along x, by dimension */
+/* Particles along x, by dimension. */
+static const int COARSEST[DIM_MAX + 1] = {0, 32, 16, 8}, FINEST[DIM_MAX + 1] = {0, 4096, 640, 160};
 enum { FAILURES = 2 };
 
 struct bench_time bench_summary(double *seconds, int count) {

@@ -210,6 +210,22 @@ static void front_is_pareto_optimal(void **state) {
     command_free(&r);
 }
 
+static void scenes_of_each_dimension_are_timed(void **state) {
+    (void)state;
+    static const char *const lines[] = {"run rod-cosine ftcs --dx 0.1", "run wave so_ssph --dx 0.1",
+                                        "run box-cosine ftcs --dx 0.2"};
+    for (int dim = 1; dim <= 3; dim++) {
+        static struct bench_scene b;
+        struct command r;
+        struct failure why;
+        if (command_read(lines[dim - 1], &r, &why)) fail_msg("%s", why.text);
+        b = (struct bench_scene){.scene = r.experiment.scene};
+        bench_climb(candidates_table, &r.experiment, candidate_unit(&r.experiment.problem), 0.01, &b);
+        assert_in_range(b.row[0].n, 8, 32);
+        command_free(&r);
+    }
+}
+
 /* Ten times coarser than the benchmark, so that it is soon over: each row is a number, between its extremes. */
 static void engine_rows_are_measured(void **state) {
     (void)state;
@@ -234,6 +250,7 @@ int main(void) {
         cmocka_unit_test(json_has_every_row),
         cmocka_unit_test(machine_line_lists_vector_flags),
         cmocka_unit_test(front_is_pareto_optimal),
+        cmocka_unit_test(scenes_of_each_dimension_are_timed),
         cmocka_unit_test(engine_rows_are_measured),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
