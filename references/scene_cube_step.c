@@ -38,9 +38,9 @@ static double width_at(const struct problem *p, int axis, double t) {
 }
 
 static double initial(const struct problem *p, const double *x) {
-    int inside = 1;
-    for (int a = 0; a < 3; a++) inside &= series_in_box(x[a], p->param[A + a]);
-    return inside ? p->param[T0] : 0;
+    for (int a = 2; a >= 0; a--) /* rows along x beside the brick end here at once */
+        if (!series_in_box(x[a], p->param[A + a])) return 0;
+    return p->param[T0];
 }
 
 static int setup(struct problem *p, struct failure *why) {

@@ -115,10 +115,10 @@ static const struct option own[] = {{"only", "GLOB[,GLOB...]", "claims: only nam
                                     {"json", NULL, "claims: JSON instead of text", option_flag, PLACE(json)},
                                     {0}};
 
-static const struct command_syntax syntax = {
-    "report", "[song|pamplona|matched|space|operators|stability|walls|front|claims|page] [DIR]", "", "", NULL};
+static const struct command_syntax syntax = {"report", "[STUDY] [DIR]", "", "", NULL};
 
 const struct verb verb_report = {
     &syntax, own, sizeof(struct report_options),
-    "measure a study and write it into DIR; default: tables and figures of the papers; page: one page of all in DIR",
+    "measure a study and write it into DIR: song, pamplona, matched, space (by default these four), operators, "
+    "stability, walls, front, claims; page: one page of all in DIR",
     act};

@@ -169,8 +169,11 @@ static double least_exponent(const struct modes *s) {
  * their counts. */
 static void survivors(const struct modes *s, const struct products *p, int *keep[2], int count[2]) {
     double *lambda = xcalloc((size_t)s->n[0], sizeof *lambda), least = least_exponent(s) / s->t;
+    for (int q = 0; q < s->n[1]; q++) keep[1][q] = 1;
+    drop_absent(p, 1, keep[1]);
     for (int q = 0; q < s->n[1]; q++) {
         int any = 0;
+        if (!keep[1][q]) continue;
         layer_rates(s, q, lambda);
         for (int k = 0; k < s->n[0]; k++) {
             int survives = !(lambda[k] < least);
@@ -180,7 +183,7 @@ static void survivors(const struct modes *s, const struct products *p, int *keep
         keep[1][q] = any > 0;
     }
     free(lambda);
-    for (int side = 0; side < 2; side++) drop_absent(p, side, keep[side]);
+    drop_absent(p, 0, keep[0]);
     for (int side = 0; side < 2; side++)
         for (int k = 0; k < s->n[side]; k++)
             if (keep[side][k]) keep[side][count[side]++] = k; /* the list overwrites the marks */
