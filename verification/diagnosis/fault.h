@@ -47,9 +47,9 @@ struct fault {
     enum fault_kind kind;
     int axis; /* in the case.  FAULT_SWAP, FAULT_TRANSPOSED: fault_pair; FAULT_ISOTROPIC: fault_other; FAULT_EXTENT:
                  also both of a plane or all of a box; FAULT_WALL and FAULT_COEFFICIENT: the side, or all sides of
-                 given flux and all cooled sides; FAULT_WALL_TIME: 0 for all, 1 + the side; FAULT_RHO_C: the material; FAULT_CORNER: 2 y + x of a plane, with 1
-                 for the upper end; 4 + 4 z + 2 y + x of a box; 12 + 4 c + bits of its edge along axis c; FAULT_ANY:
-                 rows that differ in it */
+                 given flux and all cooled sides; FAULT_WALL_TIME: 0 for all, 1 + the side; FAULT_RHO_C: the
+                 material; FAULT_CORNER: 2 y + x of a plane, with 1 for the upper end; 4 + 4 z + 2 y + x of a box;
+                 12 + 4 c + bits of its edge along axis c; FAULT_ANY: rows that differ in it */
 };
 
 /* The axis of FAULT_LAW: k of the initial temperature, of k_ref, of a side, or harmonic means. */
