@@ -66,7 +66,7 @@ static double *copy_of(const double *value, size_t n) {
 struct field program_as_given(const struct program *g, const struct field *f, double *exact) {
     const struct mapping *m = &g->map;
     struct field copy = *f;
-    for (int a = 0; a < f->dim; a++) copy.x[a] = copy_of(f->x[a], f->n);
+    for (int a = 0; a < f->dim; a++) copy.x[a] = copy_of(f->x[a], f->shape[0] ? (size_t)f->shape[a] : f->n);
     copy.T = copy_of(f->T, f->n), copy.weight = copy_of(f->weight, f->n);
     if (mapping_is_none(m)) return copy;
     map_points(m, &copy, mapping_to_case, mapping_temperature);
