@@ -137,7 +137,8 @@ static void bounds_follow_the_draw(void **state) {
     if (command_read("run rod-gauss ftcs --set t_end=100 --dx 0.0625", &r, &why) ||
         run_experiment(&r.experiment, &result, NULL))
         fail_msg("%s", why.text);
-    assert_near(g.result[0].gate.ceiling, 4 * result.error.l1, 0.05 * result.error.l1); /* time error: 0.8 % */
+    /* the ceiling has no error of time; the run has at most 1 % of E1, for which its step is searched */
+    assert_near(g.result[0].gate.ceiling, 4 * result.error.l1, 0.04 * result.error.l1);
     command_free(&r);
     if (battery_add(2, PROFILE_ALL, 1, &drawn, &why) ||
         gates_choose(&drawn, "smooth/gauss,plane/largest", NULL, 0, &why) || battery_bounds(&drawn, &why))
