@@ -5,8 +5,8 @@
 #include "references/scene.h"
 #include "reports/figure/document.h"
 #include "reports/figure/figure.h"
-#include "verification/ladder/command_run.h"
-#include "verification/ladder/slope.h"
+#include "verification/judge/command_run.h"
+#include "verification/judge/slope.h"
 #include "reports/figure/published.h"
 
 #include <math.h>

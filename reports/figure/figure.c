@@ -3,7 +3,7 @@
 #include "reports/figure/figure.h"
 
 #include "references/scene.h"
-#include "verification/ladder/command_run.h"
+#include "verification/judge/command_run.h"
 #include "verification/text/output.h"
 
 #include <math.h>

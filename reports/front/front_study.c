@@ -5,7 +5,7 @@
 #include "references/scene.h"
 #include "reports/figure/figure.h"
 #include "solver/field.h"
-#include "verification/ladder/command_run.h"
+#include "verification/judge/command_run.h"
 
 #include <stdio.h>
 

@@ -2,8 +2,8 @@
 /* Components of the measures of claims. */
 #include "reports/ledger/claim.h"
 
-#include "verification/ladder/command.h"
-#include "verification/ladder/ladder.h"
+#include "verification/judge/command.h"
+#include "verification/judge/ladder.h"
 
 #include <ctype.h>
 #include <stdarg.h>

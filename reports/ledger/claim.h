@@ -8,9 +8,9 @@
 #include "solver/space/operator.h"
 #include "verification/stability/step_limit.h"
 #include "reports/ledger/claims.h"
-#include "verification/ladder/command_run.h"
-#include "verification/ladder/judge.h"
-#include "verification/ladder/slope.h"
+#include "verification/judge/command_run.h"
+#include "verification/judge/judge.h"
+#include "verification/judge/slope.h"
 #include "reports/figure/published.h"
 
 /* Adds a number, its unit and its name (printf-like); past CLAIMS_NUMBERS it is dropped. */

@@ -4,7 +4,7 @@
 #include "reports/matched/matched_figures.h"
 
 #include "reports/figure/figure.h"
-#include "verification/ladder/command_run.h"
+#include "verification/judge/command_run.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #include "references/scene.h"
 #include "reports/pamplona/plate.h"
 #include "reports/pamplona/xi.h"
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 
 #include <math.h>
 #include <stdio.h>

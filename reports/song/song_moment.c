@@ -10,8 +10,8 @@
 #include "solver/space/csr.h"
 
 #include "solver/space/kernel.h"
-#include "verification/ladder/command.h"
-#include "verification/ladder/consistency.h"
+#include "verification/judge/command.h"
+#include "verification/judge/consistency.h"
 
 #include <complex.h>
 #include <gsl/gsl_linalg.h>

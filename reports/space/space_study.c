@@ -4,7 +4,7 @@
 #include "reports/space/space_study.h"
 
 #include "reports/figure/figure.h"
-#include "verification/ladder/command_run.h"
+#include "verification/judge/command_run.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #include "reports/stability/stability.h"
 
 #include "verification/stability/step_limit.h"
-#include "verification/ladder/command_run.h"
+#include "verification/judge/command_run.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,8 +7,8 @@
 #include "reports/figure/figure.h"
 #include "reports/walls/walls_price.h"
 #include "solver/method.h"
-#include "verification/ladder/command_run.h"
-#include "verification/ladder/slope.h"
+#include "verification/judge/command_run.h"
+#include "verification/judge/slope.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>

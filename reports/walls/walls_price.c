@@ -6,7 +6,7 @@
 #include "solver/method.h"
 #include "solver/particles/particles.h"
 #include "solver/time/stepper.h"
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 #include "verification/stability/spectrum.h"
 
 #include <math.h>

@@ -11,8 +11,8 @@
 #include "reports/walls/walls_planes.h"
 #include "reports/walls/walls_price.h"
 #include "solver/method.h"
-#include "verification/ladder/command_run.h"
-#include "verification/ladder/slope.h"
+#include "verification/judge/command_run.h"
+#include "verification/judge/slope.h"
 #include "verification/text/output.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
 
 #include "solver/time/stepper.h"
 #include "verification/text/progress.h"
-#include "verification/run/experiment.h"
+#include "verification/solve/experiment.h"
 
 #include <gsl/gsl_sort_double.h>
 #include <math.h>

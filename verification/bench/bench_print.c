@@ -6,7 +6,7 @@
 #include "solver/options.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/engine.h"
-#include "verification/run/lanes.h"
+#include "verification/solve/lanes.h"
 #include "verification/text/json.h"
 #include "verification/text/table.h"
 #include "verification/text/whole_file.h"

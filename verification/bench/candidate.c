@@ -3,9 +3,9 @@
 #include "verification/bench/candidate.h"
 
 #include "solver/time/stepper.h"
-#include "verification/run/symmetry.h"
-#include "verification/run/experiment.h"
-#include "verification/run/run.h"
+#include "verification/solve/symmetry.h"
+#include "verification/solve/experiment.h"
+#include "verification/judge/run.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 
 /* Combinations of method and options whose error depends on dx alone. */
 
-#include "verification/run/result.h"
+#include "verification/judge/result.h"
 
 struct experiment;
 

@@ -8,7 +8,7 @@
 #include "solver/method.h"
 #include "solver/particles/particles.h"
 #include "solver/sweep/state.h"
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 #include "verification/bench/bench.h"
 #include "verification/text/progress.h"
 

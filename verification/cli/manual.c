@@ -5,9 +5,9 @@
 #include "references/scene.h"
 #include "solver/method.h"
 #include "verification/cli/verb.h"
-#include "verification/foreign/case_file.h"
-#include "verification/foreign/program.h"
-#include "verification/oracle/columns.h"
+#include "verification/case/case_file.h"
+#include "verification/solve/program.h"
+#include "verification/case/columns.h"
 #include "verification/text/words.h"
 
 #include <ctype.h>

@@ -5,7 +5,7 @@
 #include "references/scene.h"
 #include "solver/status.h"
 #include "verification/cli/battery_options.h"
-#include "verification/foreign/results.h"
+#include "verification/solve/results.h"
 #include "verification/text/words.h"
 
 #include <stdio.h>

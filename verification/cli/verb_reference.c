@@ -4,7 +4,7 @@
 #include "verification/cli/verb.h"
 
 #include "references/scene.h"
-#include "verification/oracle/answer.h"
+#include "verification/case/answer.h"
 #include "verification/text/json.h"
 #include "verification/text/whole_file.h"
 

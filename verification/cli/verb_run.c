@@ -6,8 +6,8 @@
 #include "verification/text/atomic_file.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
-#include "verification/run/memory.h"
-#include "verification/run/run.h"
+#include "verification/judge/memory.h"
+#include "verification/judge/run.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,13 +5,13 @@
 #include "verification/text/atomic_file.h"
 #include "verification/cli/battery_options.h"
 #include "verification/gates/gate_file.h"
-#include "verification/diagnosis/headline.h"
+#include "verification/fault/headline.h"
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
 #include "verification/text/words.h"
-#include "verification/foreign/results.h"
-#include "verification/page/page.h"
+#include "verification/solve/results.h"
+#include "verification/report/page.h"
 
 #include <omp.h>
 #include <stdio.h>

@@ -3,8 +3,8 @@
 #include "verification/gates/battery.h"
 
 #include "references/scene.h"
-#include "verification/ladder/command.h"
-#include "verification/foreign/results.h"
+#include "verification/judge/command.h"
+#include "verification/solve/results.h"
 #include "verification/gates/ceiling.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/whole_file.h"

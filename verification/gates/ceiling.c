@@ -7,7 +7,7 @@
 #include "solver/particles/particles.h"
 #include "solver/shape.h"
 #include "verification/gates/ceiling_weights.h"
-#include "verification/run/run.h"
+#include "verification/judge/run.h"
 
 #include <math.h>
 #include <stdlib.h>

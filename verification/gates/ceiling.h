@@ -6,7 +6,7 @@
  * of the scene.  No code of the operators is used.  Each function has the experiment at its finest rung as its
  * argument and returns E1 unless stated otherwise; NAN if the formula does not apply. */
 
-#include "verification/run/experiment.h"
+#include "verification/solve/experiment.h"
 
 /* ---- The symbol of a method on a lattice ---- */
 

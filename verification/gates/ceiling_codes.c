@@ -7,7 +7,7 @@
 #include "references/snapshot.h"
 #include "solver/shape.h"
 #include "solver/status.h"
-#include "verification/run/run.h"
+#include "verification/judge/run.h"
 
 #include <math.h>
 #include <string.h>

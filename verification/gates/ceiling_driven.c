@@ -28,7 +28,7 @@
 
 #include "references/snapshot.h"
 #include "solver/time/stepper.h"
-#include "verification/run/experiment.h"
+#include "verification/solve/experiment.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 
 /* Weights of the methods on a lattice of spacing 1, for the predicted errors of ceiling.h. */
 
-#include "verification/run/experiment.h"
+#include "verification/solve/experiment.h"
 
 enum { CEILING_WEIGHTS_REACH = 10, CEILING_WEIGHTS_WIDE = 2 * CEILING_WEIGHTS_REACH + 1 };
 

@@ -4,7 +4,7 @@
 
 #include "references/scene.h"
 #include "solver/status.h"
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 #include "verification/gates/ceiling.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/words.h"

@@ -3,7 +3,7 @@
 #include "verification/gates/gate_file.h"
 
 #include "solver/status.h"
-#include "verification/foreign/samples.h"
+#include "verification/case/samples.h"
 #include "verification/text/utf8.h"
 #include "verification/text/number.h"
 #include "verification/text/whole_file.h"

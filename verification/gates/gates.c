@@ -3,9 +3,9 @@
  * executed with those declared. */
 #include "verification/gates/gates.h"
 
-#include "verification/diagnosis/headline.h"
-#include "verification/ladder/command.h"
-#include "verification/foreign/program.h"
+#include "verification/fault/headline.h"
+#include "verification/judge/command.h"
+#include "verification/solve/program.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/progress.h"
 

@@ -2,11 +2,11 @@
 /* One gate: reading its command, measuring, judging, and the command that repeats the verdict. */
 #include "verification/gates/gates.h"
 
-#include "verification/ladder/command.h"
-#include "verification/foreign/program.h"
-#include "verification/foreign/results.h"
-#include "verification/ladder/judge.h"
-#include "verification/ladder/ladder.h"
+#include "verification/judge/command.h"
+#include "verification/solve/program.h"
+#include "verification/solve/results.h"
+#include "verification/judge/judge.h"
+#include "verification/judge/ladder.h"
 #include "verification/text/words.h"
 
 #include <math.h>

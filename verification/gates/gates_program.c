@@ -4,9 +4,9 @@
 #include "verification/gates/gates.h"
 
 #include "solver/status.h"
-#include "verification/foreign/program.h"
-#include "verification/foreign/runs.h"
-#include "verification/foreign/scratch.h"
+#include "verification/solve/program.h"
+#include "verification/solve/runs.h"
+#include "verification/solve/scratch.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/progress.h"
 

@@ -4,13 +4,13 @@
 
 #include "references/scene.h"
 #include "solver/shape.h"
-#include "verification/ladder/command.h"
-#include "verification/diagnosis/wording.h"
-#include "verification/ladder/consistency.h"
-#include "verification/ladder/judge.h"
-#include "verification/ladder/ladder.h"
-#include "verification/run/run.h"
-#include "verification/run/symmetry.h"
+#include "verification/judge/command.h"
+#include "verification/fault/wording.h"
+#include "verification/judge/consistency.h"
+#include "verification/judge/judge.h"
+#include "verification/judge/ladder.h"
+#include "verification/judge/run.h"
+#include "verification/solve/symmetry.h"
 #include "verification/text/words.h"
 
 #include <math.h>

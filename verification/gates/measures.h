@@ -4,7 +4,7 @@
 
 /* Measures of gates, by name.  A new measure is a row of measures.def and a function. */
 
-#include "verification/diagnosis/diagnosis.h"
+#include "verification/fault/diagnosis.h"
 #include "verification/text/number.h"
 #include "verification/text/verdict.h"
 

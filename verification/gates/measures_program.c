@@ -3,11 +3,11 @@
 #include "verification/gates/measures.h"
 
 #include "solver/field.h"
-#include "verification/ladder/command.h"
-#include "verification/diagnosis/diagnosis.h"
-#include "verification/ladder/inconclusive.h"
-#include "verification/ladder/self_difference.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/fault/diagnosis.h"
+#include "verification/judge/inconclusive.h"
+#include "verification/judge/self_difference.h"
+#include "verification/judge/run.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,8 +6,8 @@
 #include "verification/stability/long_run.h"
 #include "verification/stability/step_limit.h"
 #include "verification/stability/maximum_principle.h"
-#include "verification/ladder/command.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/judge/run.h"
 #include "verification/text/words.h"
 
 #include <float.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any case file beside an answer gives a scene's parameters, which make a problem or are refused, or is refused
  * itself. The first byte names the scene. */
-#include "verification/foreign/case_file.h"
-#include "verification/foreign/results.h"
+#include "verification/case/case_file.h"
+#include "verification/solve/results.h"
 
 #include "references/scene.h"
 #include "solver/problem.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any list of points is read as points of the domain, or refused with a text: of a rod (first byte even), of a
  * rectangle. */
-#include "verification/oracle/points.h"
+#include "verification/case/points.h"
 
 #include "references/scene.h"
 #include "solver/problem.h"

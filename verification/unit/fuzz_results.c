@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any file is read as a field of finite numbers that covers the domain, or refused with a reason: for a rod (first
  * byte even) or a rectangle, with or without a map of columns (second bit). */
-#include "verification/foreign/field_file.h"
+#include "verification/solve/field_file.h"
 
 #include "references/scene.h"
 #include "solver/field.h"
 #include "solver/problem.h"
 #include "solver/status.h"
-#include "verification/foreign/samples.h"
+#include "verification/case/samples.h"
 
 #include "verification/unit/fuzz_file.h"
 

@@ -4,8 +4,8 @@
 
 /* A ladder of given errors, judged through the window as a ladder that was run is. */
 
-#include "verification/ladder/judge.h"
-#include "verification/ladder/window.h"
+#include "verification/judge/judge.h"
+#include "verification/judge/window.h"
 
 /* *scattered: the number of rungs that scatter excludes. */
 static inline enum verdict judge(const double *x, const double *error, int n, double lo, double hi, int *scattered,

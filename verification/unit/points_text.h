@@ -4,7 +4,7 @@
 
 /* points_read of a text, which is not empty. */
 
-#include "verification/oracle/points.h"
+#include "verification/case/points.h"
 
 #include "verification/unit/near.h"
 

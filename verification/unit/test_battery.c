@@ -3,9 +3,9 @@
  * it. */
 #include "verification/unit/control_volumes.inc"
 
-#include "verification/ladder/command.h"
-#include "verification/foreign/program.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/solve/program.h"
+#include "verification/judge/run.h"
 
 #include "verification/gates/ceiling.h"
 #include "verification/unit/battery_row.h"

@@ -8,7 +8,7 @@
 #include "solver/options.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/engine.h"
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 #include "verification/text/json.h"
 
 #include "verification/unit/near.h"

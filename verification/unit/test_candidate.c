@@ -3,9 +3,9 @@
 #include "verification/bench/candidate.h"
 
 #include "references/scene.h"
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 #include "verification/bench/bench.h"
-#include "verification/run/run.h"
+#include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
 

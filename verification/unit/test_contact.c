@@ -11,9 +11,9 @@
 #include "solver/particles/particles.h"
 #include "solver/differences/ftcs_grid.h"
 #include "solver/space/sample.h"
-#include "verification/ladder/command.h"
-#include "verification/run/result.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/judge/result.h"
+#include "verification/judge/run.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An answer covers the domain with each point once: the usual arrangements pass; a gap, a point outside, a lattice
  * that lacks a point, and two points at one place are refused with the place. */
-#include "verification/foreign/coverage.h"
+#include "verification/solve/coverage.h"
 
 #include "references/scene.h"
 #include "solver/problem.h"
 #include "solver/status.h"
-#include "verification/foreign/samples.h"
+#include "verification/case/samples.h"
 
 #include "verification/unit/near.h"
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Derived quantities of numerical fields: exact for polynomials of degree five, and as good as the field beside them.
  */
-#include "verification/run/derived.h"
+#include "verification/judge/derived.h"
 
 #include "references/quantity.h"
 #include "solver/method.h"
 #include "solver/problem.h"
-#include "verification/ladder/command.h"
-#include "verification/ladder/ladder.h"
+#include "verification/judge/command.h"
+#include "verification/judge/ladder.h"
 
 #include "verification/unit/near.h"
 

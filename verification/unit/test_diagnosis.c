@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Faults planted in a correct code are named, with their size; a correct code has none. */
-#include "verification/diagnosis/diagnosis.h"
+#include "verification/fault/diagnosis.h"
 
 #include "references/scene.h"
 #include "solver/method.h"

@@ -2,9 +2,9 @@
 /* Correct or undecidable answers do not fail: exact, noisy, or with few digits. */
 #include "verification/unit/made_answers.inc"
 
-#include "verification/ladder/command.h"
-#include "verification/foreign/program.h"
-#include "verification/ladder/ladder.h"
+#include "verification/judge/command.h"
+#include "verification/solve/program.h"
+#include "verification/judge/ladder.h"
 
 #include "verification/unit/battery_row.h"
 

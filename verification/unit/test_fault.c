@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Faults as changes of a problem: where each can be made, and the data that it changes. */
-#include "verification/diagnosis/fault.h"
+#include "verification/fault/fault.h"
 
 #include "verification/unit/diagnosed_problems.h"
 #include "verification/unit/near.h"

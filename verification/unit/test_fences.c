@@ -5,8 +5,8 @@
  * returns and free releases.  A write past the end is detected when the block is freed; a read past the end, or of
  * uninitialized memory, makes the error of the run NaN.  Sanitizers detect more if they are available; this test is
  * part of every `make test`. */
-#include "verification/ladder/command.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
 

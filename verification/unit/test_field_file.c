@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Answers of programs: tables and NumPy arrays of many kinds give the same field; anything else is refused with its
  * line, its column and a remedy. */
-#include "verification/foreign/field_file.h"
+#include "verification/solve/field_file.h"
 
 #include "references/scene.h"
 #include "solver/field.h"
 #include "solver/problem.h"
 #include "solver/status.h"
-#include "verification/foreign/samples.h"
+#include "verification/case/samples.h"
 
 #include "verification/unit/near.h"
 #include "verification/unit/scratch_path.h"

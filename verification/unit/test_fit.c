@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The least squares of an error with the response to a fault, on fields made so that size, share and part are known.
  */
-#include "verification/diagnosis/fit.h"
+#include "verification/fault/fit.h"
 
 #include "solver/field.h"
 

@@ -2,7 +2,7 @@
 /* Gates as rows: the list, the choice of rows, the commands as typed, and the execution of all of them. */
 #include "verification/gates/gates.h"
 
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 
 #include "verification/unit/near.h"
 

@@ -2,10 +2,10 @@
 /* Gates: that none can pass without having been judged. */
 #include "verification/gates/gates.h"
 
-#include "verification/ladder/command.h"
-#include "verification/diagnosis/headline.h"
-#include "verification/page/page.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/fault/headline.h"
+#include "verification/report/page.h"
+#include "verification/judge/run.h"
 
 #include "solver/field.h"
 #include "solver/method.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Without an exact solution: orders, limits and fields on points that no two grids share. */
-#include "verification/ladder/gci.h"
+#include "verification/judge/gci.h"
 
 #include "solver/status.h"
-#include "verification/foreign/samples.h"
+#include "verification/case/samples.h"
 #include "verification/text/json.h"
 
 #include "verification/unit/near.h"

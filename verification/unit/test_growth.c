@@ -3,8 +3,8 @@
  * data. */
 #include "solver/particles/particles.h"
 #include "solver/time/growth.h"
-#include "verification/ladder/command.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/judge/run.h"
 #include "verification/stability/model_problem.h"
 #include "verification/stability/spectrum.h"
 #include "verification/unit/near.h"

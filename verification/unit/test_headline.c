@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sentences for faults, and one headline for all rows of a battery. */
-#include "verification/diagnosis/headline.h"
-#include "verification/diagnosis/wording.h"
+#include "verification/fault/headline.h"
+#include "verification/fault/wording.h"
 
 #include "verification/unit/diagnosed_problems.h"
 #include "verification/unit/near.h"

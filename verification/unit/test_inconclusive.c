@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reasons for an inconclusive ladder: each with its numbers, and none if there is none. */
-#include "verification/ladder/inconclusive.h"
+#include "verification/judge/inconclusive.h"
 
 #include "references/mapping.h"
-#include "verification/ladder/ladder.h"
+#include "verification/judge/ladder.h"
 
 #include "verification/unit/near.h"
 

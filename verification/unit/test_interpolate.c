@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Interpolation uses the nearest points only: removing the others changes nothing. */
-#include "verification/run/interpolate.h"
+#include "verification/judge/interpolate.h"
 
 #include "solver/status.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verdicts on synthetic ladders: those that must not pass, and those that must. */
-#include "verification/ladder/slope.h"
+#include "verification/judge/slope.h"
 
 #include "verification/unit/judged_ladder.h"
 #include "verification/unit/near.h"

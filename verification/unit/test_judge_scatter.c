@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How often ladders with scatter pass: honest ones as often as they can, flattening ones no more than they must. */
-#include "verification/ladder/slope.h"
+#include "verification/judge/slope.h"
 
 #include "verification/unit/judged_ladder.h"
 #include "verification/unit/near.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ladders of methods with prescribed errors. */
-#include "verification/ladder/ladder.h"
+#include "verification/judge/ladder.h"
 
 #include "verification/text/json.h"
 

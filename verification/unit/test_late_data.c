@@ -2,7 +2,7 @@
 /* Data that are taken a part of a step late, from two answers on one grid. */
 #include "references/scene.h"
 #include "solver/method.h"
-#include "verification/diagnosis/diagnosis.h"
+#include "verification/fault/diagnosis.h"
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/odd_scenes.h"
 

@@ -3,7 +3,7 @@
  * asked. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
 
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 #include "verification/stability/step_limit.h"
 #include "verification/text/words.h"
 #include "verification/unit/near.h"

@@ -2,8 +2,8 @@
 /* The image of a scene obeys its own equation, in each of its axes; and the words that say which it is. */
 #include "references/kirchhoff.h"
 #include "references/mapping.h"
-#include "verification/foreign/case_file.h"
-#include "verification/oracle/columns.h"
+#include "verification/case/case_file.h"
+#include "verification/case/columns.h"
 
 #include "verification/unit/odd_scenes.h"
 

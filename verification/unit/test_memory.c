@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The estimated memory of a run, and its refusal above the limit. */
-#include "verification/run/memory.h"
+#include "verification/judge/memory.h"
 
-#include "verification/ladder/command.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
 

@@ -4,8 +4,8 @@
 #include "solver/method.h"
 #include "solver/particles/conduction.h"
 #include "solver/time/stepper.h"
-#include "verification/run/experiment.h"
-#include "verification/run/run.h"
+#include "verification/solve/experiment.h"
+#include "verification/judge/run.h"
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/odd_scenes.h"
 

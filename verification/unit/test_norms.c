@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Norms, ranges and the checkerboard, on fields with known results. */
-#include "verification/run/norms.h"
+#include "verification/judge/norms.h"
 
 #include "references/scene.h"
 #include "solver/method.h"

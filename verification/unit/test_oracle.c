@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The oracle: every column compared with its definition, and the table written from them. */
-#include "verification/oracle/answer.h"
+#include "verification/case/answer.h"
 
 #include "solver/shape.h"
 

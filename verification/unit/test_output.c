@@ -4,7 +4,7 @@
 
 #include "references/scene.h"
 #include "solver/status.h"
-#include "verification/ladder/command_run.h"
+#include "verification/judge/command_run.h"
 #include "verification/unit/near.h"
 #include "verification/unit/scratch_path.h"
 

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pages: escapes, images, texts in two languages, verdicts, and the data of the gates' figures. */
 #include "verification/text/html.h"
-#include "verification/page/page.h"
+#include "verification/report/page.h"
 
 #include "reports/figure/document.h"
 #include "reports/index/index.h"
 #include "solver/status.h"
-#include "verification/ladder/command.h"
-#include "verification/foreign/program.h"
-#include "verification/ladder/ladder.h"
+#include "verification/judge/command.h"
+#include "verification/solve/program.h"
+#include "verification/judge/ladder.h"
 #include "verification/text/table.h"
 
 #include "verification/unit/near.h"

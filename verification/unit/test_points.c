@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Points as programs write them, and refusals that name line and column. */
-#include "verification/oracle/points.h"
+#include "verification/case/points.h"
 
 #include "verification/unit/odd_scenes.h"
 #include "verification/unit/points_text.h"

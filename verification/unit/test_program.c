@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --solver: the FTCS of ftcs.awk in place of a method, right, wrong and without an answer. */
-#include "verification/foreign/program.h"
+#include "verification/solve/program.h"
 
-#include "verification/ladder/command.h"
-#include "verification/foreign/process.h"
-#include "verification/foreign/scratch.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/solve/process.h"
+#include "verification/solve/scratch.h"
+#include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
 #include "verification/unit/scratch_path.h"

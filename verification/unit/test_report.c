@@ -3,7 +3,7 @@
 #include "reports/figure/published.h"
 #include "reports/pamplona/xi.h"
 
-#include "verification/ladder/command_run.h"
+#include "verification/judge/command_run.h"
 #include "verification/unit/near.h"
 
 #include <string.h>

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Responses and truncation errors for bodies whose solution is one cosine: each Euler step multiplies it by G, so
  * that the run on the lattice is known as well as the solution. */
-#include "verification/diagnosis/response.h"
+#include "verification/fault/response.h"
 
 #include "references/scene.h"
 #include "solver/problem.h"
 #include "solver/status.h"
-#include "verification/diagnosis/diagnosis.h"
-#include "verification/diagnosis/fit.h"
+#include "verification/fault/diagnosis.h"
+#include "verification/fault/fit.h"
 
 #include "verification/unit/near.h"
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cases written now and judged later, and ladders in a parameter of a program. */
-#include "verification/foreign/case_file.h"
-#include "verification/foreign/results.h"
+#include "verification/case/case_file.h"
+#include "verification/solve/results.h"
 
 #include "solver/status.h"
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 #include "verification/cli/verb.h"
-#include "verification/ladder/ladder.h"
+#include "verification/judge/ladder.h"
 
 #include "verification/unit/near.h"
 #include "verification/unit/scratch_path.h"

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Possible share of rounding in a run's error, by hand, and the bound of a quantity's exact value. */
-#include "verification/run/run.h"
+#include "verification/judge/run.h"
 
 #include "references/quantity.h"
 #include "solver/field.h"
 #include "solver/problem.h"
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 
 #include "verification/unit/near.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs that share cases: which row runs a case, which gets the answer of another, when a program counts as absent,
  * and the printed messages. */
-#include "verification/foreign/runs.h"
+#include "verification/solve/runs.h"
 
 #include "solver/status.h"
 #include "verification/text/progress.h"

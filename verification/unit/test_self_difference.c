@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The difference of two fields with the same points in any order. */
-#include "verification/ladder/self_difference.h"
+#include "verification/judge/self_difference.h"
 
 #include "solver/field.h"
 #include "solver/problem.h"
 #include "solver/status.h"
-#include "verification/run/norms.h"
+#include "verification/judge/norms.h"
 
 #include "verification/unit/near.h"
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The reference of a ladder in time without an exact stepper, on methods with given errors: T = (1 +
  * part D dt^order) T_exact of the rungs' stepper, (1 + wrong/N^2) T_exact of the polynomials in N steps. */
-#include "verification/ladder/ladder.h"
+#include "verification/judge/ladder.h"
 
 #include "references/scene.h"
 #include "solver/space/operator.h"
-#include "verification/ladder/command.h"
-#include "verification/run/run.h"
-#include "verification/run/semidiscrete.h"
+#include "verification/judge/command.h"
+#include "verification/judge/run.h"
+#include "verification/judge/semidiscrete.h"
 
 #include "verification/unit/near.h"
 

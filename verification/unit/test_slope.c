@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Slopes, windows and verdicts, and the ways in which other suites were fooled. */
-#include "verification/ladder/slope.h"
+#include "verification/judge/slope.h"
 
-#include "verification/ladder/judge.h"
-#include "verification/ladder/window.h"
+#include "verification/judge/judge.h"
+#include "verification/judge/window.h"
 
 #include "verification/unit/near.h"
 

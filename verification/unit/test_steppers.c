@@ -2,8 +2,8 @@
 /* Steppers on one equation: stages, degrees, exponentials, and threads that have work. */
 
 #include "solver/time/stepper.h"
-#include "verification/ladder/command.h"
-#include "verification/run/run.h"
+#include "verification/judge/command.h"
+#include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
 

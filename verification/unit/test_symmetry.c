@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Half, quarter and octant domains against the whole: the same field to rounding, for the work of the part. */
-#include "verification/run/symmetry.h"
+#include "verification/solve/symmetry.h"
 
-#include "verification/ladder/command.h"
+#include "verification/judge/command.h"
 
 #include "verification/unit/near.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The choice of a time step, for methods with prescribed errors. */
-#include "verification/ladder/command_run.h"
-#include "verification/run/run.h"
-#include "verification/run/time_step.h"
+#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
+#include "verification/judge/time_step.h"
 
 #include "verification/unit/made_methods.h"
 #include "verification/unit/near.h"

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Fluxes, heat and temperatures of a field on arbitrary points. */
+#include "verification/judge/derived.h"
+
+#include "references/kirchhoff.h"
+#include "references/quantity.h"
+#include "solver/field.h"
+#include "solver/status.h"
+#include "verification/judge/interpolate.h"
+
+#include <math.h>
+
+/* Three-point Gauss-Legendre rule on [-1, 1], exact to degree five. */
+static const double NODE[3] = {-0.77459666924148337704, 0, 0.77459666924148337704};
+static const double WEIGHT[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+static const double PANEL = 4; /* spacings */
+
+static const struct material *material_at(const struct problem *p, double x) {
+    return &p->material[p->materials == 2 && x >= p->interface];
+}
+
+static int panels(double length, double dx) {
+    return (int)fmax(1, ceil(length / (PANEL * dx)));
+}
+
+/* Point k of a line from lo to hi, and its weight. */
+static double place(double lo, double hi, int parts, int k, double *weight) {
+    double half = (hi - lo) / parts / 2;
+    *weight = WEIGHT[k % 3] * half;
+    return lo + half * (2 * (k / 3) + 1 + NODE[k % 3]);
+}
+
+/* Numbers of panels of the box from lo to hi along each axis but `skip` (-1: none); returns the quadrature points. */
+static int divide(const struct problem *p, const double *lo, const double *hi, int skip, double dx, int parts[]) {
+    int points = 1;
+    for (int a = 0; a < p->dim; a++) {
+        parts[a] = a == skip ? 0 : panels(hi[a] - lo[a], dx);
+        points *= a == skip ? 1 : 3 * parts[a];
+    }
+    return points;
+}
+
+/* Quadrature point k and its weight; the coordinate along an axis without panels is left as it is. */
+static double quadrature_point(const struct problem *p, const double *lo, const double *hi, const int parts[], int k,
+                               double *x) {
+    double weight = 1, w;
+    for (int a = 0; a < p->dim; a++) {
+        if (parts[a] == 0) continue;
+        x[a] = place(lo[a], hi[a], parts[a], k % (3 * parts[a]), &w);
+        weight *= w;
+        k /= 3 * parts[a];
+    }
+    return weight;
+}
+
+static int flux(enum side s, const struct problem *p, const struct interpolate *f, double dx, double *value,
+                struct failure *why) {
+    int a = (int)s / 2, parts[DIM_MAX], points = divide(p, p->lo, p->hi, a, dx, parts);
+    double x[DIM_MAX] = {0}, T, gradient[DIM_MAX];
+    *value = 0;
+    x[a] = s % 2 ? p->hi[a] : p->lo[a];
+    for (int k = 0; k < points; k++) {
+        double w = quadrature_point(p, p->lo, p->hi, parts, k, x);
+        if (interpolate_at(f, x, &T, gradient, why)) return why->status;
+        double there = kirchhoff_along(p, material_at(p, x[0]), a, T);
+        *value += w * there * (s % 2 ? gradient[a] : -gradient[a]);
+    }
+    return STATUS_OK;
+}
+
+/* Heat of from <= x <= to, within one material. */
+static int heat_between(double from, double to, const struct problem *p, struct interpolate *f, double dx,
+                        double *value, struct failure *why) {
+    double lo[DIM_MAX] = {from, p->lo[1], p->lo[2]}, hi[DIM_MAX] = {to, p->hi[1], p->hi[2]}, x[DIM_MAX] = {0}, T;
+    double rho_c = material_at(p, (from + to) / 2)->rho_c;
+    int parts[DIM_MAX], points = divide(p, lo, hi, -1, dx, parts);
+    f->from = from - 1e-9 * (to - from), f->to = to + 1e-9 * (to - from);
+    for (int k = 0; k < points; k++) {
+        double w = quadrature_point(p, lo, hi, parts, k, x);
+        if (interpolate_at(f, x, &T, NULL, why)) return why->status;
+        *value += w * rho_c * T;
+    }
+    return STATUS_OK;
+}
+
+static int heat(const struct problem *p, struct interpolate *f, double dx, double *value, struct failure *why) {
+    *value = 0;
+    if (p->materials == 1) return heat_between(p->lo[0], p->hi[0], p, f, dx, value, why);
+    if (heat_between(p->lo[0], p->interface, p, f, dx, value, why)) return why->status;
+    return heat_between(p->interface, p->hi[0], p, f, dx, value, why);
+}
+
+int derived_value(const struct quantity *q, const struct problem *p, const struct field *field, double dx,
+                  double *value, struct failure *why) {
+    struct interpolate f = interpolate_begin("the field", field);
+    int status;
+    if (p->materials == 2 && q->kind == QUANTITY_AT) { /* one polynomial must not extend across the kink */
+        f.from = q->at[0] >= p->interface ? p->interface : -INFINITY;
+        f.to = q->at[0] < p->interface ? p->interface : INFINITY;
+    }
+    if (q->kind == QUANTITY_AT)
+        status = interpolate_at(&f, q->at, value, NULL, why);
+    else
+        status = q->kind == QUANTITY_FLUX ? flux(q->side, p, &f, dx, value, why) : heat(p, &f, dx, value, why);
+    interpolate_end(&f);
+    return status;
+}

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HEATLADDER_VERIFICATION_JUDGE_LADDER_H
+#define HEATLADDER_VERIFICATION_JUDGE_LADDER_H
+
+#include "verification/fault/diagnosis.h"
+#include "verification/solve/experiment.h"
+#include "verification/judge/result.h"
+#include "verification/judge/slope.h"
+#include "verification/text/verdict.h"
+#include "verification/judge/window.h"
+#include "verification/text/number.h"
+
+/* Runs that differ in one length, and the order at which their errors decrease with it.
+ *
+ * A ladder in space has several --dx; its errors are relative to the exact solution.  A ladder in time has one --dx
+ * and several --dt or --fourier; its errors are relative to the solution of the particles' semi-discrete equations
+ * (semidiscrete.h), so they contain no spatial error. */
+
+enum ladder_norm {
+#define NORM(NAME, word, title, of) LADDER_##NAME,
+#include "verification/judge/norms.def"
+#undef NORM
+    LADDER_QUANTITY /* the error of --quantity; has no name */
+};
+extern const char *const ladder_norm_words[];  /* in the order of the enum, ended by NULL */
+extern const char *const ladder_norm_titles[]; /* titles in the same order, including LADDER_QUANTITY */
+
+/* The requested rungs; one list has several numbers. */
+struct ladder_rungs {
+    struct numbers dx;      /* m */
+    struct numbers dt;      /* s */
+    struct numbers fourier; /* dimensionless */
+    double fine;            /* s: time step of one more run, the reference of a ladder in time; 0: successive runs */
+    struct numbers vary;    /* values of a parameter of the program, experiment.program.vary */
+    struct numbers expect;  /* band of the slope; empty if nothing is judged */
+    double ceiling;         /* maximum error at the finest included rung; 0: none */
+    enum ladder_norm norm;  /* norm to fit and judge */
+    int diagnose;           /* 1: diagnose also if the ladder passes or nothing is judged */
+    int scattered;          /* 1: the points may be at any position, so errors may scatter (judge.h) */
+};
+
+struct ladder {
+    int n;                /* number of rungs, coarsest first */
+    int external;         /* 1: by an external program; failed and refused rungs are rows of the ladder */
+    int in_time;          /* 1: x is dt, s; 0: x is dx, m, or the varied parameter */
+    int inverse;          /* 1: x is the inverse of the varied parameter, which increases */
+    char vary[40];        /* name of the varied parameter; "" for none */
+    int self_differences; /* 1: errors come from differences of runs (self_difference.h) */
+    double fine;          /* s: the step of the run that they are from; 0: of successive runs */
+    struct result rung[RUNG_MAX];
+    long long semidiscrete_steps; /* ladder in time: number of steps of the reference solution; 0: exact stepper */
+    double semidiscrete_error;    /* error of the reference, see struct semidiscrete */
+    double x[RUNG_MAX];
+    enum ladder_norm norm;
+    double error[RUNG_MAX];           /* in that norm; NaN if the run failed */
+    int draws;                        /* draws per rung; the errors are their geometric means; 0 for one run */
+    double draw[SEEDS_MAX][RUNG_MAX]; /* errors of each draw */
+    double local[RUNG_MAX];           /* n - 1 slopes between adjacent rungs */
+    struct window window;
+    struct slope slope;     /* over the window */
+    struct failure failure; /* that of the first rung that failed numerically */
+    enum verdict verdict;
+    char reason[360];
+    int diagnosed; /* 1: `diagnosis` is set, for a ladder in space that did not pass, or on request */
+    struct diagnosis diagnosis;
+    int noisy; /* 1: the answers of a program differ between runs by more than a tenth of their error */
+    double seconds;
+};
+
+/* Runs the rungs, finest first, in parallel unless the caller is; then fits rungs->norm and judges by rungs->expect
+ * and rungs->ceiling.  Returns STATUS_OK, STATUS_INPUT with *why if a rung is refused, or STATUS_NUMERICAL if one
+ * failed; *l is set except after a refusal. */
+int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why);
+
+/* The error in a norm; NaN if the run failed. */
+double ladder_error_in(const struct result *r, enum ladder_norm norm);
+
+/* Chooses the window and fits the slope in another norm. */
+void ladder_fit(struct ladder *l, enum ladder_norm norm);
+
+/* Copies the included rungs, coarsest first, to x and error of RUNG_MAX each; returns their number. */
+int ladder_counted(const struct ladder *l, double *x, double *error);
+
+/* Sets verdict and reason against a band. */
+void ladder_judge(struct ladder *l, double lo, double hi);
+
+/* The error at the finest rung that is included or exact to round-off, in the fitted norm; NaN if there is none. */
+double ladder_finest_error(const struct ladder *l);
+
+/* The name of x, "dx [m]" for a ladder in space; and x of a rung as requested, 1/x for an increasing parameter. */
+const char *ladder_axis(const struct ladder *l);
+double ladder_asked(const struct ladder *l, int rung);
+
+/* One row per rung; `timed`: with its seconds, which differ between runs.  The caller frees it. */
+struct table ladder_table(const struct ladder *l, int timed);
+
+/* One line with the slope, its interval and the number of rungs; for fewer than three rungs, the reason why there is
+ * no interval. */
+void ladder_slope_text(const struct ladder *l, char *text, size_t size);
+
+void ladder_json(const struct ladder *l, struct json *j); /* into an open object */
+
+#endif

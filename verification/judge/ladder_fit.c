@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Evaluation of the rungs of a ladder: errors, window, slope, verdict. */
+#include "verification/judge/ladder.h"
+
+#include "verification/judge/judge.h"
+#include "verification/text/json.h"
+#include "verification/text/table.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define NORM(NAME, word, title, of) word,
+const char *const ladder_norm_words[] = {
+#include "verification/judge/norms.def"
+    NULL};
+#undef NORM
+#define NORM(NAME, word, title, of) title,
+const char *const ladder_norm_titles[] = {
+#include "verification/judge/norms.def"
+    "the quantity's error"};
+#undef NORM
+
+double ladder_error_in(const struct result *r, enum ladder_norm norm) {
+    const double value[] = {
+#define NORM(NAME, word, title, of) of,
+#include "verification/judge/norms.def"
+#undef NORM
+        r->derived_error};
+    return r->failure.status ? NAN : value[norm];
+}
+
+int ladder_counted(const struct ladder *l, double *x, double *error) {
+    int m = 0;
+    for (int i = 0; i < l->n; i++) {
+        if (!l->window.counts[i]) continue;
+        x[m] = l->x[i];
+        error[m++] = l->error[i];
+    }
+    return m;
+}
+
+double ladder_finest_error(const struct ladder *l) {
+    double error = NAN;
+    for (int i = 0; i < l->n; i++)
+        if (l->window.counts[i] || l->window.exact[i]) error = l->error[i];
+    return error;
+}
+
+const char *ladder_axis(const struct ladder *l) {
+    return l->in_time ? "dt [s]" : *l->vary ? l->vary : "dx [m]";
+}
+
+double ladder_asked(const struct ladder *l, int rung) {
+    return l->inverse ? 1 / l->x[rung] : l->x[rung];
+}
+
+static void add_rung(struct table *t, const struct ladder *l, int timed, int i) {
+    const struct result *r = &l->rung[i];
+    int failed = r->failure.status != STATUS_OK;
+    table_add(t, "%.6g|%zu|%lld", ladder_asked(l, i), r->particles, r->steps);
+    table_number(t, "%.4e", failed ? NAN : r->error.l1, "-");
+    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived : r->error.l2, "-");
+    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived_error : r->error.linf, "-");
+    if (i == 0)
+        table_add(t, " ");
+    else
+        table_number(t, "%.3f", l->local[i - 1], "-");
+    table_number(t, "%.2g", 100 * r->time_error, " ");
+    if (timed) table_number(t, "%.2g", r->cost.seconds, "-");
+    table_add(t, "%s", failed ? r->failure.text : l->window.left_out[i]);
+}
+
+struct table ladder_table(const struct ladder *l, int timed) {
+    char header[160];
+    snprintf(header, sizeof header, "%s|particles|steps|E1|%s|slope|time [%%]|%sleft out", ladder_axis(l),
+             l->norm == LADDER_QUANTITY ? "quantity|its error" : "L2|Linf [K]", timed ? "seconds|" : "");
+    struct table t = table_headed(0, header);
+    for (int i = 0; i < l->n; i++) add_rung(&t, l, timed, i);
+    return t;
+}
+
+void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
+    int used = snprintf(text, size, "slope of %s: ", ladder_norm_titles[l->norm]);
+    char *rest = text + used;
+    size_t room = size - (size_t)used;
+    int known = 0;
+    for (int i = 0; i < l->n; i++) known += l->window.counts[i] && isfinite(l->error[i]) && l->error[i] > 0;
+    if (!isfinite(l->slope.value))
+        snprintf(rest, room, "- (of %d rungs %d have an error, a slope needs two)", l->n, known);
+    else if (l->slope.n < 3)
+        snprintf(rest, room, "%.4f, 95 %% interval - (undefined for two rungs), over 2 of %d rungs", l->slope.value,
+                 l->n);
+    else
+        snprintf(rest, room, "%.4f, 95 %% interval [%.4f, %.4f], over %d of %d rungs", l->slope.value, l->slope.ci[0],
+                 l->slope.ci[1], l->slope.n, l->n);
+}
+
+/* The slope and its interval from all draws of all included rungs. */
+static void fit_draws(struct ladder *l) {
+    double x[RUNG_MAX * SEEDS_MAX], error[RUNG_MAX * SEEDS_MAX];
+    int n = 0, rungs = l->slope.n;
+    for (int i = 0; i < l->n; i++)
+        for (int k = 0; k < l->draws && l->window.counts[i]; k++) x[n] = l->x[i], error[n++] = l->draw[k][i];
+    l->window.scattered = 1;
+    l->slope = slope_fit(x, error, n);
+    l->slope.n = rungs;
+}
+
+void ladder_fit(struct ladder *l, enum ladder_norm norm) {
+    struct window_rung rung[RUNG_MAX];
+    double x[RUNG_MAX], error[RUNG_MAX];
+    l->norm = norm;
+    for (int i = 0; i < l->n; i++) {
+        const struct result *r = &l->rung[i];
+        l->error[i] = ladder_error_in(r, norm);
+        /* the shares refer to E1, and also apply to other norms of the same field */
+        rung[i] = (struct window_rung){
+            .x = l->x[i],
+            .error = l->error[i],
+            .time = l->in_time ? NAN : r->time_error,
+            .reference =
+                norm == LADDER_QUANTITY ? r->derived_bound / r->derived_error : r->reference_error / r->error.l1,
+            .rounding = norm == LADDER_QUANTITY ? r->derived_rounding / r->derived_error : r->rounding / r->error.l1,
+            /* in a ladder in time the positions do not change */
+            .random = (r->options.layout == LAYOUT_JITTER || r->options.layout == LAYOUT_RELAXED) && !l->in_time};
+    }
+    slope_local(l->x, l->error, l->n, l->local);
+    window_choose(rung, l->n, &l->window);
+    for (int i = 0; i < l->n; i++)
+        if (l->rung[i].failure.status) l->window.counts[i] = 0;
+    l->slope = slope_fit(x, error, ladder_counted(l, x, error));
+    if (l->draws > 1) fit_draws(l);
+    l->verdict = isfinite(l->slope.value) && l->slope.n >= WINDOW_LEAST ? VERDICT_MEASURED : VERDICT_INCONCLUSIVE;
+    snprintf(l->reason, sizeof l->reason, "%d of %d rungs count%s", l->slope.n, l->n,
+             l->slope.n < WINDOW_LEAST ? ", at least four must" : "");
+    if (l->failure.status) l->verdict = VERDICT_FAIL;
+    if (l->failure.status) snprintf(l->reason, sizeof l->reason, "a rung failed: %.200s", l->failure.text);
+    if (l->failure.status != STATUS_SKIPPED) return;
+    l->verdict = VERDICT_SKIPPED;
+    snprintf(l->reason, sizeof l->reason, "%.200s", l->failure.text);
+}
+
+void ladder_judge(struct ladder *l, double lo, double hi) {
+    double x[RUNG_MAX], error[RUNG_MAX];
+    if (l->failure.status) return; /* a failed rung fails the ladder */
+    struct judged judged = {x, error, ladder_counted(l, x, error), l->window.scattered,
+                            l->draws > 1 ? &l->slope : NULL};
+    l->verdict = judge_order(&judged, lo, hi, l->reason, sizeof l->reason);
+}
+
+void ladder_json(const struct ladder *l, struct json *j) {
+    json_array(j, "rungs");
+    for (int i = 0; i < l->n; i++) {
+        json_object(j, NULL);
+        result_json(&l->rung[i], j);
+        if (*l->vary) json_number(j, l->vary, ladder_asked(l, i));
+        json_whole(j, "counts", l->window.counts[i]);
+        json_text(j, "left_out", l->window.left_out[i][0] ? l->window.left_out[i] : NULL);
+        json_end(j);
+    }
+    json_end(j);
+    json_text(j, "against", l->in_time ? "dt" : *l->vary ? l->vary : "dx");
+    json_number(j, "slope", l->slope.value);
+    json_numbers(j, "slope_ci95", l->slope.ci, 2);
+    json_numbers(j, "local_slopes", l->local, l->n - 1);
+    json_add(j, "verdict %s|reason %s", verdict_words[l->verdict], l->reason);
+    diagnosis_json(&l->diagnosis, j);
+}

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Norms of the error (Song 2018, eq. 46); range, variation and heat of a field. */
+#include "verification/judge/norms.h"
+
+#include "references/snapshot.h"
+#include "solver/method.h"
+#include "solver/shape.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static double weight(const struct field *f, size_t i) {
+    return f->weight ? f->weight[i] : 1;
+}
+
+enum { CHUNK = 2000 }; /* points per evaluation */
+
+/* Exact values at the n points from `first` on. */
+static void exact_chunk(const struct snapshot *now, const struct field *f, size_t first, size_t n, struct exact *e) {
+    double at[DIM_MAX], x[DIM_MAX][CHUNK];
+    for (size_t i = 0; i < n; i++) {
+        field_place(f, first + i, at);
+        for (int a = 0; a < DIM_MAX; a++) x[a][i] = at[a];
+    }
+    snapshot_at_points(now, n, x[0], f->dim > 1 ? x[1] : NULL, f->dim > 2 ? x[2] : NULL, e);
+}
+
+/* Many points are evaluated by many threads; the sums are in the order of the points and do not depend on their
+ * number. */
+double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T) {
+    double bound = 0, whole = 0;
+    struct snapshot now = snapshot_take(s, p, f->time);
+#pragma omp parallel for ordered schedule(dynamic, 1) if (f->n >= NORMS_MANY)
+    for (size_t first = 0; first < f->n; first += CHUNK) {
+        size_t n = f->n - first < CHUNK ? f->n - first : CHUNK;
+        struct exact *e = xcalloc(n, sizeof *e);
+        exact_chunk(&now, f, first, n, e);
+#pragma omp ordered
+        for (size_t k = 0, i = first; k < n; k++, i++) {
+            T[i] = e[k].no_value ? NORMS_NO_VALUE : isfinite(e[k].temperature) ? e[k].temperature : NAN;
+            if (e[k].no_value) continue;
+            bound += weight(f, i) * e[k].error_bound;
+            whole += weight(f, i) * fabs(T[i]);
+        }
+        free(e);
+    }
+    snapshot_free(&now);
+    return bound / whole;
+}
+
+int norms_check(const struct field *f, const double *exact, struct failure *why) {
+    size_t without = 0;
+    for (size_t i = 0; i < f->n; i++) {
+        if (exact[i] != 0 && exact[i] != NORMS_NO_VALUE) return STATUS_OK;
+        without += exact[i] == NORMS_NO_VALUE;
+    }
+    if (without == f->n)
+        return refuse(why, STATUS_INPUT,
+                      "the exact solution has no value at any of the points (%zu, all in corners between "
+                      "different temperatures); use points away from the corners",
+                      f->n);
+    return refuse(
+        why, STATUS_INPUT,
+        "the exact solution, to which E1 is relative, is 0 K at all points at t = %g s; use other temperatures "
+        "(--set) or an earlier end (--t-end)",
+        f->time);
+}
+
+unsigned char *norms_near(const struct problem *p, const struct field *f, double distance) {
+    unsigned char *near = xcalloc(f->n, 1);
+#pragma omp parallel for if (f->n >= NORMS_MANY)
+    for (size_t i = 0; i < f->n; i++) {
+        double x[DIM_MAX];
+        near[i] = shape_depth(p, field_place(f, i, x)) < distance;
+    }
+    return near;
+}
+
+/* 1 if point i belongs to the part and has an exact value. */
+static int counts(const double *exact, enum norms_part part, const unsigned char *near, size_t i) {
+    return exact[i] != NORMS_NO_VALUE && (part == NORMS_ALL || near[i] == (part == NORMS_BOUNDARY));
+}
+
+/* The largest power of 2 up to x, by which division is exact; 1 for 0, infinity and NaN. */
+static double power_below(double x) {
+    return x > 0 && isfinite(x) ? scalbn(1, ilogb(x)) : 1;
+}
+
+/* Errors and temperatures are scaled by their maximum before they are squared, which prevents overflow and
+ * underflow. */
+struct norms_error norms_error(const struct field *f, const double *exact, enum norms_part part,
+                               const unsigned char *near) {
+    double e1 = 0, e2 = 0, t1 = 0, t2 = 0, largest = 0;
+    struct norms_error norms = {0};
+    for (size_t i = 0; i < f->n; i++) {
+        norms.left_out += exact[i] == NORMS_NO_VALUE;
+        if (!counts(exact, part, near, i)) continue;
+        double e = fabs(f->T[i] - exact[i]), T = fabs(exact[i]);
+        e1 += weight(f, i) * e;
+        t1 += weight(f, i) * T;
+        norms.linf = fmax(norms.linf, e);
+        largest = fmax(largest, T);
+        norms.n++;
+    }
+    double unit[2] = {power_below(norms.linf), power_below(largest)};
+    for (size_t i = 0; i < f->n; i++) {
+        if (!counts(exact, part, near, i)) continue;
+        double e = (f->T[i] - exact[i]) / unit[0], T = exact[i] / unit[1];
+        e2 += weight(f, i) * e * e;
+        t2 += weight(f, i) * T * T;
+    }
+    if (isnan(e1) || norms.n == 0) norms.linf = NAN; /* fmax skips a NaN */
+    norms.l1 = e1 / t1;
+    norms.l2 = sqrt(e2 / t2) * (unit[0] / unit[1]);
+    return norms;
+}
+
+/* Widens [lo, hi] by the temperatures of Dirichlet walls and of the air at Robin walls, at the foot of each
+ * point. */
+static void widen(const struct problem *p, const struct field *f, double *lo, double *hi) {
+    double coldest = *lo, hottest = *hi;
+    for (int s = 0; s < 2 * p->dim; s++) {
+        if (!shape_has_wall(p, s) || (p->side[s] != DIRICHLET && p->side[s] != ROBIN)) continue;
+        size_t n = p->dim == 1 ? 1 : f->n;
+#pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (n >= NORMS_MANY)
+        for (size_t i = 0; i < n; i++) {
+            double x[DIM_MAX];
+            struct foot foot = shape_foot(p, s, field_place(f, i, x));
+            problem_wall_range(p, (enum side)s, foot.x, &coldest, &hottest);
+        }
+    }
+    *lo = coldest, *hi = hottest;
+}
+
+/* On a rod sum |T_{i+1} - T_i|; else the sums along each axis times the spacings of the others. */
+static double variation(const struct field *f) {
+    if (f->shape[0] == 0) return NAN;
+    double sum = 0;
+    size_t stride = 1;
+    for (int a = 0; a < f->dim; a++) {
+        size_t block = f->dim == 1 ? f->n : stride * (size_t)f->shape[a]; /* walls may cut a rod */
+        double along = 0, across = 1;
+        for (size_t first = 0; first < f->n; first += block)
+            for (size_t i = first; i + stride < first + block; i++) along += fabs(f->T[i + stride] - f->T[i]);
+        for (int b = 0; b < f->dim; b++) across *= b == a ? 1 : f->spacing[b];
+        sum += along * across;
+        stride = block;
+    }
+    return sum;
+}
+
+struct norms_shape norms_shape(const struct problem *p, const struct field *f, double *exact) {
+    struct norms_shape shape = {.min = INFINITY, .max = -INFINITY};
+    double lo = f->range[0], hi = f->range[1], sum = 0;
+    for (size_t i = 0; i < f->n; i++) {
+        shape.min = fmin(shape.min, f->T[i]);
+        shape.max = fmax(shape.max, f->T[i]);
+        sum += f->T[i];
+    }
+    if (isnan(sum)) shape.min = shape.max = NAN; /* fmin and fmax skip a NaN */
+    if (!(shape.min >= lo && shape.max <= hi)) widen(p, f, &lo, &hi);
+    shape.overshoot = shape.max <= hi ? 0 : shape.max - hi;
+    shape.undershoot = shape.min >= lo ? 0 : lo - shape.min;
+    shape.variation = variation(f);
+    shape.checkerboard = checkerboard_amplitude(p, f, exact);
+    return shape;
+}
+
+double norms_heat_drift(const struct field *f) {
+    return (f->heat[1] - f->heat[0]) / fabs(f->heat[0]);
+}

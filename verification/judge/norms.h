@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HEATLADDER_VERIFICATION_JUDGE_NORMS_H
+#define HEATLADDER_VERIFICATION_JUDGE_NORMS_H
+
+/* Norms of the error of a field; its range, variation, checkerboard and heat.  Sums are sum(w |e|^p) with the volume
+ * weight w of each point. */
+
+#include <math.h>
+#include <stddef.h>
+
+struct failure;
+struct field;
+struct problem;
+struct scene;
+
+/* Marks points without an exact temperature (scene.h); they are excluded from all norms. */
+#define NORMS_NO_VALUE INFINITY
+
+/* Sets T[f->n], K, to the exact solution at the points of *f and the time f->time, or NORMS_NO_VALUE.  Returns
+ * sum(w bound) / sum(w |T|), the possible contribution of the reference's own error to E1. */
+double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T);
+
+/* Refuses if the exact solution is zero or has no value at every point of *f, since no relative error exists. */
+int norms_check(const struct field *f, const double *exact, struct failure *why);
+
+struct norms_error {
+    double l1;       /* sum w|T - Te| / sum w|Te|  (Song 2018, eq. 46) */
+    double l2;       /* sqrt(sum w(T - Te)^2 / sum w Te^2) */
+    double linf;     /* K: max |T - Te|, absolute */
+    size_t n;        /* number of points included */
+    size_t left_out; /* number of points without an exact value */
+};
+
+enum { NORMS_MANY = 20000 }; /* points above which threads pay off */
+
+enum norms_part { NORMS_ALL, NORMS_INTERIOR, NORMS_BOUNDARY };
+
+/* 1 for each point whose distance to the nearest wall is below `distance`, m.  The caller frees the array. */
+unsigned char *norms_near(const struct problem *p, const struct field *f, double distance);
+
+/* Over the points that are near a wall (boundary) or not (interior); `near` is not read for all.  All norms are NaN
+ * if the field has a NaN or the part has no points. */
+struct norms_error norms_error(const struct field *f, const double *exact, enum norms_part part,
+                               const unsigned char *near);
+
+struct norms_shape {
+    double min, max;              /* K, of the field */
+    double overshoot, undershoot; /* K, beyond initial data, Dirichlet walls and air at Robin walls; 0 within */
+    double variation;             /* K m^(dim-1): sum of |difference| along the axes; NaN off a lattice */
+    double checkerboard;          /* K, see checkerboard_amplitude */
+};
+
+/* exact: T from norms_exact, K; overwritten by checkerboard_amplitude. */
+struct norms_shape norms_shape(const struct problem *p, const struct field *f, double *exact);
+
+/* (final heat - initial heat) / |initial heat| */
+double norms_heat_drift(const struct field *f);
+
+/* The largest amplitude, K, among the modes of the error T - exact with 2 to 4 points per wavelength along some
+ * axis; a pure mode of amplitude c gives c.  NaN if the field is not on a lattice.  Overwrites `exact` (T from
+ * norms_exact, K) with the transform of the error. */
+double checkerboard_amplitude(const struct problem *p, const struct field *f, double *exact);
+
+#endif

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Time errors from differences of runs.
+ *
+ * With T(dt) = T_0 + C dt^p on one grid two successive runs differ by
+ *
+ *     d_i = |T_i - T_(i+1)| = |C| (dt_i^p - dt_(i+1)^p)
+ *
+ * without the spatial error, which is the same in both.  The time error of run i is thus, by Richardson (1911),
+ *
+ *     |C| dt_i^p = d_i / (1 - (dt_(i+1) / dt_i)^p)
+ *
+ * The required p is the resulting slope: a fixed point, found by repeating the fit.  With one finer run as the
+ * reference, its step replaces dt_(i+1). */
+#include "verification/judge/self_difference.h"
+
+#include "solver/field.h"
+#include "verification/judge/ladder.h"
+#include "verification/solve/experiment.h"
+#include "verification/judge/run.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { FITS = 30 };
+static const double LEAST = 0.05; /* smallest significant order */
+
+struct place {
+    double x[DIM_MAX], T, w;
+};
+
+static int by_place(const void *a, const void *b) {
+    const struct place *p = a, *q = b;
+    int k = 0;
+    while (k < DIM_MAX - 1 && p->x[k] == q->x[k]) k++;
+    return (p->x[k] > q->x[k]) - (p->x[k] < q->x[k]);
+}
+
+/* The points in sorted order, since an external program may write them in any. */
+static struct place *sorted(const struct field *f) {
+    struct place *at = xcalloc(f->n, sizeof *at);
+    for (size_t i = 0; i < f->n; i++) {
+        field_place(f, i, at[i].x);
+        at[i].T = f->T[i], at[i].w = f->weight ? f->weight[i] : 1;
+    }
+    qsort(at, f->n, sizeof *at, by_place);
+    return at;
+}
+
+static int on_one_grid(const struct problem *p, const struct place *a, const struct place *b, size_t n) {
+    for (size_t i = 0; i < n; i++)
+        for (int d = 0; d < p->dim; d++)
+            if (fabs(a[i].x[d] - b[i].x[d]) > 1e-9 * (p->hi[d] - p->lo[d])) return 0;
+    return 1;
+}
+
+static struct norms_error distance(const struct place *coarse, const struct place *fine, size_t n) {
+    double d1 = 0, d2 = 0, t1 = 0, t2 = 0, linf = 0;
+    for (size_t i = 0; i < n; i++) {
+        double w = fine[i].w, d = fabs(coarse[i].T - fine[i].T), T = fabs(fine[i].T);
+        d1 += w * d;
+        d2 += w * d * d;
+        t1 += w * T;
+        t2 += w * T * T;
+        if (d > linf || isnan(d)) linf = d; /* a NaN propagates */
+    }
+    return (struct norms_error){.l1 = d1 / t1, .l2 = sqrt(d2 / t2), .linf = linf, .n = n};
+}
+
+/* The error of a run is its difference from another run; it has no parts and no reference error. */
+static void take_error(struct result *r, struct norms_error apart) {
+    r->error = apart;
+    r->interior = r->boundary = (struct norms_error){.l1 = NAN, .l2 = NAN, .linf = NAN};
+    r->reference_error = 0;
+}
+
+/* Factor of the difference between runs at dt and at a finer step.  A program that chooses its own step runs twice
+ * at the same one; the difference is then an error as it is. */
+static double extrapolated(double dt, double finer, double p) {
+    return finer < dt ? 1 / (1 - pow(finer / dt, p)) : 1;
+}
+
+static void extrapolate(struct ladder *l, const double *dt) {
+    double p = 1, d[RUNG_MAX], error[RUNG_MAX];
+    for (int i = 0; i < l->n; i++) error[i] = d[i] = l->rung[i].error.l1;
+    for (int fit = 0; fit < FITS; fit++) {
+        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
+        double next = slope_fit(dt, error, l->n).value;
+        if (!(isfinite(next) && next > LEAST)) break;
+        p = next;
+    }
+    for (int i = 0; i < l->n; i++) {
+        double more = extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
+        struct norms_error *e = &l->rung[i].error;
+        e->l1 *= more, e->l2 *= more, e->linf *= more;
+        l->x[i] = dt[i];
+    }
+}
+
+int self_difference_fields(const struct problem *p, const struct field *a, const struct field *b,
+                           struct norms_error *apart) {
+    struct place *at = sorted(a), *of = sorted(b);
+    int same = a->n == b->n && on_one_grid(p, at, of, a->n);
+    if (same) *apart = distance(at, of, a->n);
+    free(at);
+    free(of);
+    return same;
+}
+
+/* Runs the rungs; dt[i] is the step used.  The error of a rung is its difference from *to, or from the next rung if
+ * that is NULL. */
+static int climb(const struct experiment *rung, const struct field *to, struct ladder *l, double *dt,
+                 struct failure *why) {
+    struct field before = {0};
+    int status = STATUS_OK;
+    for (int i = 0; i < l->n && !status; i++) {
+        struct field f = {0};
+        struct norms_error apart;
+        int of = to ? i : i - 1;
+        status = run_experiment(&rung[i], &l->rung[i], &f);
+        if (status) *why = l->rung[i].failure;
+        dt[i] = l->rung[i].dt > 0 ? l->rung[i].dt : l->x[i];
+        if (!status && of >= 0) {
+            if (self_difference_fields(&rung[i].problem, to ? &f : &before, to ? to : &f, &apart))
+                take_error(&l->rung[of], apart);
+            else
+                status = refuse(
+                    why, STATUS_INPUT,
+                    "a ladder in time needs all runs on one grid: at %g s the points differ from those of %s%g s",
+                    l->x[i], to ? "--fine " : "", to ? l->fine : l->x[of]);
+        }
+        field_free(&before);
+        before = f;
+    }
+    field_free(&before);
+    return status;
+}
+
+int self_difference_climb(const struct experiment *rung, const struct experiment *fine, struct ladder *l,
+                          struct failure *why) {
+    double dt[RUNG_MAX];
+    struct field last = {0};
+    struct result result = {.dt = 0};
+    int status = fine ? run_experiment(fine, &result, &last) : STATUS_OK;
+    if (status) *why = result.failure;
+    if (!status) status = climb(rung, fine ? &last : NULL, l, dt, why);
+    field_free(&last);
+    if (status) return status;
+    if (!fine) l->n--;
+    if (result.dt > 0) l->fine = result.dt;
+    l->self_differences = 1;
+    extrapolate(l, dt);
+    return STATUS_OK;
+}

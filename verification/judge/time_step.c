@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Choice of stepper and time step, unless the user sets them.
+ *
+ * The exact stepper is used if the method has it.  Otherwise the time step is refined until its error is shown to be
+ * small.  A run of N steps by a stepper of order p has the time error C e, e = c / N^p, with c = 1, or
+ * 1 + 8/(s^2 + s - 2) for rkl2 with s stages (unit/test_ceiling.c).  Two runs then give
+ *
+ *     T_inf = T_2 + (T_2 - T_1) e_2 / (e_1 - e_2)                                                 (Richardson 1911)
+ *
+ * without time error, and the difference of a run from T_inf is its time error.  Two cheap runs predict the N at
+ * which it is 1 % of the error of T_inf, and the run at that N is compared with the previous one.
+ *
+ * Polynomials in time (semidiscrete.c) need no search: the difference of two runs shows how small their error is.
+ * Norms are those of E1. */
+#include "verification/judge/time_step.h"
+#include "solver/time/stepper.h"
+
+#include "references/scene.h"
+#include "verification/judge/semidiscrete.h"
+#include "verification/solve/symmetry.h"
+#include "verification/judge/norms.h"
+#include "verification/solve/experiment.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+static const double SHARE = 0.01, MARGIN = 0.8; /* the target of 0.8 % tolerates an inaccurate prediction */
+/* Fourier number of the first run, divided by the dimension: stable for every method (rkl2 at any value). */
+static const double FOURIER = 0.2;
+static const double FLOOR = 1e-12;                     /* rounding level of E1, below which no time error is sought */
+enum { HALVINGS = 8, LATER_HALVINGS = 2, ROUNDS = 5 }; /* later: for another number of rkl2's stages */
+
+struct trial {
+    struct field field;
+    double steps;
+};
+
+struct search {
+    const struct experiment *e;
+    int order;
+    double *exact;             /* K, at the points of the fields */
+    struct trial coarse, fine; /* the last two runs */
+    long long updates;         /* total of all runs */
+};
+
+static int try_steps(struct search *s, double steps, struct trial *t, struct failure *why) {
+    struct options with = s->e->options;
+    with.dt = s->e->problem.t_end / steps;
+    with.fourier = 0;
+    if (s->coarse.field.n) with.placed = &s->coarse.field;
+    t->steps = steps;
+    int status = symmetry_solve(s->e->method, &s->e->problem, &with, &t->field, why);
+    if (!status) s->updates += t->field.cost.updates;
+    return status;
+}
+
+static int order_of(const struct options *o) {
+    const struct stepper *s = stepper_of(o->stepper);
+    return s && s->order > 0 ? s->order : 2;
+}
+
+static double first_steps(const struct experiment *e) {
+    const struct options *o = &e->options;
+    double steps = e->problem.t_end * problem_diffusivity(&e->problem) / (FOURIER / e->problem.dim * o->dx * o->dx);
+    if (stepper_of(o->stepper)->count) steps = sqrt(steps) / 2; /* about ten stages per step */
+    return fmax(1, ceil(steps));
+}
+
+/* A run of that many steps; the time step is halved, at most `halvings` times, while it is unstable. */
+static int try_stable(struct search *s, double steps, int halvings, struct trial *t, struct failure *why) {
+    int status = try_steps(s, steps, t, why);
+    for (int i = 0; i < halvings && status == STATUS_UNSTABLE; i++) status = try_steps(s, steps *= 2, t, why);
+    return status;
+}
+
+/* Relative to sum w|Te|: the time error of `fine`, its total error, and the error of the field without time
+ * error. */
+struct estimate {
+    double time, whole, space;
+};
+
+/* Next number of steps from the estimate for `steps`; unchanged if the time error is small enough. */
+static double next_steps(double steps, struct estimate e, double particles, int order) {
+    if (e.time <= SHARE * e.whole || e.time <= FLOOR) return steps;
+    double more = ceil(steps * fmax(1.1, pow(e.time / (MARGIN * SHARE * e.space), 1.0 / order)));
+    return more * particles * order <= TIME_STEP_UPDATES_MAX ? more : steps;
+}
+
+static double size_of(const struct search *s, const struct trial *t) { /* e */
+    const struct stepper *stepper = stepper_of(s->e->options.stepper);
+    return (stepper->error ? stepper->error(t->field.stages) : 1) / pow(t->steps, s->order);
+}
+
+/* T_inf; the caller frees it.  If RKL2's stages compensate for the steps, the extrapolation is ill-conditioned; the
+ * runs are then assumed to differ by a fifth of the finer one's error. */
+static double *find_limit(const struct search *s) {
+    size_t n = s->fine.field.n;
+    double coarse = size_of(s, &s->coarse), fine = size_of(s, &s->fine), *limit = xcalloc(n, sizeof *limit);
+    double ratio = fine / fmax(coarse - fine, 0.2 * fine);
+    const double *T = s->fine.field.T, *before = s->coarse.field.T;
+    for (size_t i = 0; i < n; i++) limit[i] = T[i] + ratio * (T[i] - before[i]);
+    return limit;
+}
+
+static double whole_error(const struct search *s, const struct field *f) {
+    return norms_error(f, s->exact, NORMS_ALL, NULL).l1;
+}
+
+static struct estimate compare(const struct search *s) {
+    double *limit = find_limit(s);
+    struct field at_limit = s->fine.field;
+    at_limit.T = limit;
+    struct estimate e = {field_distance(&s->fine.field, limit, s->exact), whole_error(s, &s->fine.field),
+                         whole_error(s, &at_limit)};
+    free(limit);
+    return e;
+}
+
+/* The finer trial becomes the coarser one, and a run of `steps` steps replaces it. */
+static int replace(struct search *s, double steps, struct failure *why) {
+    field_free(&s->coarse.field);
+    s->coarse = s->fine;
+    s->fine = (struct trial){0};
+    return try_stable(s, steps, LATER_HALVINGS, &s->fine, why);
+}
+
+/* Refines until the time error is small; *time_error is its share. */
+static int refine(struct search *s, double *time_error, struct failure *why) {
+    int status = STATUS_OK;
+    for (int round = 0; round < ROUNDS && !status; round++) {
+        struct estimate e = compare(s);
+        *time_error = e.time / e.whole;
+        double steps = next_steps(s->fine.steps, e, (double)s->fine.field.n, s->order);
+        if (steps == s->fine.steps) break;
+        status = replace(s, steps, why);
+    }
+    return status;
+}
+
+/* Memory besides a run during the search for its time step: the previous run, and the exact temperatures unless
+ * polynomials are used. */
+static size_t search_bytes(const struct experiment *e, const struct field *f) {
+    return field_bytes(f) + (stepper_of(e->options.stepper)->order == 0 ? 0 : f->n * sizeof *f->T);
+}
+
+static int solve_searched(const struct experiment *e, struct field *f, struct time_step *stepping,
+                          struct failure *why) {
+    struct search s = {.e = e, .order = order_of(&e->options)};
+    int status = try_stable(&s, first_steps(e), HALVINGS, &s.coarse, why);
+    if (status) return status;
+    s.exact = xcalloc(s.coarse.field.n, sizeof *s.exact);
+    norms_exact(e->scene, &e->problem, &s.coarse.field, s.exact);
+    status = norms_check(&s.coarse.field, s.exact, why);
+    if (!status) status = try_stable(&s, 2 * s.coarse.steps, LATER_HALVINGS, &s.fine, why);
+    if (!status) status = refine(&s, &stepping->time_error, why);
+    free(s.exact);
+    field_free(&s.coarse.field);
+    if (status) {
+        field_free(&s.fine.field);
+        return status;
+    }
+    *f = s.fine.field;
+    f->cost.bytes += search_bytes(e, f);
+    stepping->updates = s.updates - f->cost.updates;
+    return STATUS_OK;
+}
+
+static int solve_by_polynomials(const struct experiment *e, struct field *f, struct time_step *stepping,
+                                struct failure *why) {
+    struct semidiscrete s;
+    int status = semidiscrete_polynomials(e, &s, why);
+    if (status) return status;
+    double *exact = xcalloc(s.field.n, sizeof *exact);
+    norms_exact(e->scene, &e->problem, &s.field, exact);
+    *f = s.field;
+    stepping->time_error = s.error / norms_error(f, exact, NORMS_ALL, NULL).l1;
+    stepping->updates = s.updates;
+    f->cost.bytes += search_bytes(e, f);
+    free(exact);
+    return STATUS_OK;
+}
+
+/* Possible share of the exact stepper's transforms in E1.  The error of a transform of n values, with sines and
+ * cosines to one ulp, is at most 3.4 eps log2(n) of its 2-norm (Higham 2002, theorem 24.2), for 2 n by symmetry;
+ * there are two along each axis.  The relative error of the eigenvalues is a few eps, which a mode multiplies by |z|
+ * exp(z): less than one further level.  Modes of a Robin wall are plain sums of n.  E1 is relative to the mean, not
+ * to the root mean square. */
+static double transform_rounding(const struct problem *p, const struct field *f, double dx) {
+    double levels = 1, sum = 0, square = 0;
+    for (int a = 0; a < p->dim; a++) {
+        double n = (p->hi[a] - p->lo[a]) / dx;
+        int robin = p->side[2 * a] == ROBIN || p->side[2 * a + 1] == ROBIN;
+        levels += robin ? n : log2(2 * n);
+    }
+    for (size_t i = 0; i < f->n; i++) sum += fabs(f->T[i]), square += f->T[i] * f->T[i];
+    return 6.8 * DBL_EPSILON * levels * (sum > 0 ? sqrt((double)f->n * square) / sum : 1);
+}
+
+double time_step_weights(const struct experiment *e) {
+    const struct problem *p = &e->problem;
+    return 4 * p->dim * problem_diffusivity(p) * p->t_end / (e->options.dx * e->options.dx);
+}
+
+/* Rounding error of E1: that of the weights, plus eps sqrt(applications), since each application rounds T
+ * randomly. */
+static double rounding(const struct experiment *e, const struct field *f) {
+    if (f->steps == 0) return DBL_EPSILON + transform_rounding(&e->problem, f, e->options.dx);
+    double applications = (double)f->steps * (f->stages > 0 ? f->stages : 1);
+    return DBL_EPSILON * (1 + sqrt(applications) + time_step_weights(e));
+}
+
+static int solve(struct experiment *e, struct field *f, struct time_step *stepping, struct failure *why) {
+    struct options *o = &e->options;
+    int given = o->dt > 0 || o->fourier > 0 || e->problem.t_end <= 0, particles = e->method->scheme != NULL;
+    if (o->stepper == STEPPER_AUTO) {
+        o->stepper = stepper_auto(particles, o->dt > 0 || o->fourier > 0, 1);
+        int open = stepper_of(o->stepper)->evolve != NULL;
+        int status = open ? symmetry_solve(e->method, &e->problem, o, f, why) : STATUS_NOT_APPLICABLE;
+        if (status == STATUS_OK) stepping->time_error = 0;
+        if (status != STATUS_NOT_APPLICABLE) return status;
+        if (open) o->stepper = stepper_auto(particles, 0, 0);
+    }
+    const struct stepper *stepper = stepper_of(o->stepper);
+    if (stepper->evolve) stepping->time_error = 0;
+    if (o->stepper == stepper_without_error(0) && !given) return solve_by_polynomials(e, f, stepping, why);
+    if (given || stepper->order == 0) return symmetry_solve(e->method, &e->problem, o, f, why);
+    return solve_searched(e, f, stepping, why);
+}
+
+int time_step_solve(struct experiment *e, struct field *f, struct time_step *stepping, struct failure *why) {
+    *stepping = (struct time_step){.time_error = NAN};
+    int status = solve(e, f, stepping, why);
+    if (!status) stepping->rounding = rounding(e, f);
+    return status;
+}

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Verdicts for a reader. */
+
+#include "verification/fault/headline.h"
+#include "verification/report/page.h"
+#include "verification/text/table.h"
+#include "verification/text/verdict.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ACROSS = 4 }; /* groups in a line */
+
+static void print_all(const struct gates *g) {
+    struct table t = table_headed(2, "gate|verdict|expected|measured|error|seconds|what");
+    for (int i = 0; i < g->declared; i++) {
+        const struct gate *gate = &g->result[i].gate;
+        const struct measured *m = &g->result[i].measured;
+        struct measured ignored;
+        const struct measure *measure = measures_find(gate->measure, &ignored);
+        table_add(&t, "%s", gate->id); /* may have a bar in it */
+        table_add(&t, "%s", verdict_words[m->verdict]);
+        if (gate->lo == 0)
+            table_add(&t, "<= %.4g", gate->hi);
+        else
+            table_add(&t, "%.4g to %.4g", gate->lo, gate->hi);
+        if (m->ci[0] < m->ci[1])
+            table_add(&t, "%.4f (%.4f to %.4f)", m->value, m->ci[0], m->ci[1]);
+        else if (isnan(m->value))
+            table_add(&t, "-");
+        else
+            table_add(&t, "%.4g", m->value);
+        if (isnan(gate->ceiling))
+            table_add(&t, " ");
+        else if (isnan(m->error))
+            table_add(&t, "- <= %.2e", gate->ceiling);
+        else
+            table_add(&t, "%.2e <= %.2e", m->error, gate->ceiling);
+        table_add(&t, "%.2f|%s", g->result[i].seconds, measure ? measure->about : gate->measure);
+    }
+    table_end(&t, stdout);
+}
+
+static void print_groups(const struct gates *g) {
+    int column = 0;
+    for (int i = 0; i < g->declared; i++) {
+        const char *id = g->result[i].gate.id;
+        if (!gates_begins_group(g, i)) continue;
+        struct gates_tally t = gates_tally(g, id);
+        const char *word = verdict_words[t.passed == t.judged ? VERDICT_PASS : VERDICT_FAIL];
+        printf("%s%-14.*s ", verdict_colour(stdout, word), (int)gates_group_length(id), id);
+        if (t.judged)
+            printf("%3d/%-3d%s", t.passed, t.judged, t.passed == t.judged ? " " : "!");
+        else
+            printf("skipped ");
+        printf("%s", verdict_colour_end(stdout, word));
+        printf("%s", ++column % ACROSS ? "    " : "\n");
+    }
+    if (column % ACROSS) printf("\n");
+}
+
+/* The value against its band, which the reason has rounded, and where the band comes from. */
+static void print_details(const struct gate_result *r) {
+    const struct gate *gate = &r->gate;
+    const struct measured *m = &r->measured;
+    if (isfinite(m->value)) printf("  measured %.6g, expected %.6g to %.6g", m->value, gate->lo, gate->hi);
+    if (isfinite(m->value) && !isnan(gate->ceiling)) printf("; error %.4e, at most %.4e", m->error, gate->ceiling);
+    printf("%s  why: %s\n", isfinite(m->value) ? "\n" : "", gate->why);
+}
+
+static void print_failure(const struct gate_result *r, int all) {
+    const struct measured *m = &r->measured;
+    const char *word = verdict_words[m->verdict];
+    printf("\n%s: %s%s%s: %s\n", r->gate.id, verdict_colour(stdout, word), word, verdict_colour_end(stdout, word),
+           m->reason);
+    if (*m->diagnosis) printf("  diagnosis: %s\n", m->diagnosis);
+    if (all) print_details(r);
+    printf("  heatladder %s\n", r->typed);
+}
+
+static int is_skipped(const struct gate_result *r) {
+    return r->measured.verdict == VERDICT_SKIPPED;
+}
+
+/* One line for all that are skipped for the reason of the gate i, where i is the first of them. */
+static void print_skipped(const struct gates *g, int i) {
+    const char *reason = g->result[i].measured.reason;
+    for (int k = 0; k < i; k++)
+        if (is_skipped(&g->result[k]) && strcmp(g->result[k].measured.reason, reason) == 0) return;
+    printf("\n%s", g->result[i].gate.id);
+    for (int k = i + 1; k < g->declared; k++)
+        if (is_skipped(&g->result[k]) && strcmp(g->result[k].measured.reason, reason) == 0)
+            printf(", %s", g->result[k].gate.id);
+    printf(": skipped: %s\n", reason);
+}
+
+void print_gates(const struct gates *g, int all, double seconds) {
+    struct gates_tally t = gates_tally(g, NULL);
+    if (all)
+        print_all(g);
+    else
+        print_groups(g);
+    for (int i = 0; i < g->declared; i++) {
+        if (is_skipped(&g->result[i])) print_skipped(g, i);
+        if (gates_fails(&g->result[i])) print_failure(&g->result[i], all);
+    }
+    char diagnosis[HEADLINE_TEXT];
+    gates_diagnosis(g, diagnosis, sizeof diagnosis);
+    if (*diagnosis) printf("\ndiagnosis: %s\n", diagnosis);
+    if (g->interrupted)
+        printf("\ninterrupted by signal %d: %d of %d rows were judged\n", g->interrupted, g->executed, g->planned);
+    printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive",
+           g->interrupted ? g->planned : g->declared, g->executed - t.skipped, t.passed, t.failed, t.undecided);
+    if (t.skipped) printf(", %d skipped", t.skipped);
+    printf(" (%.2f s)\n", seconds);
+}
+
+/* Escapes GitHub's workflow commands: characters that would end a command or a property. */
+static void put_escaped(const char *text, const char *special) {
+    for (; *text; text++)
+        if (strchr(special, *text))
+            fprintf(stderr, "%%%02X", (unsigned)*text);
+        else
+            fputc(*text, stderr);
+}
+
+void print_annotations(const struct gates *g) {
+    for (int i = 0; i < g->declared; i++) {
+        const struct gate_result *r = &g->result[i];
+        const struct measured *m = &r->measured;
+        if (!gates_fails(r)) continue;
+        fprintf(stderr, "::%s title=", m->verdict == VERDICT_FAIL ? "error" : "warning");
+        put_escaped(r->gate.id, "%\r\n:,");
+        fprintf(stderr, "::");
+        put_escaped(m->reason, "%\r\n");
+        if (*m->diagnosis) fprintf(stderr, "; diagnosis: ");
+        put_escaped(m->diagnosis, "%\r\n");
+        fputc('\n', stderr);
+    }
+}

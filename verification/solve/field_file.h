@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HEATLADDER_VERIFICATION_SOLVE_FIELD_FILE_H
+#define HEATLADDER_VERIFICATION_SOLVE_FIELD_FILE_H
+
+/* The answer of an external program: a field of *p at t_end, from a table or NumPy's .npy. */
+
+struct column_map;
+struct failure;
+struct field;
+struct problem;
+struct samples;
+
+/* The points as in the file, with that many coordinates; messages call it `name`.  Release with samples_free. */
+int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
+                       struct failure *why);
+
+/* The field, checked (coverage.h) against the spacings d by axis, m.  If STATUS_OK, the caller owns *f, with
+ * step_seconds as reported by the program, NaN if not reported. */
+int field_file_read(const char *path, const char *name, const struct column_map *c, const struct problem *p,
+                    const double *d, struct field *f, struct failure *why);
+
+#endif

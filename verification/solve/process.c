@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A program has ended when every process that inherited a pipe from it has ended.  That pipe, the life line, carries
+ * no data.  Waiting for the shell alone would let this program read what a background process is still writing. */
+#include "verification/solve/process.h"
+
+#include "solver/status.h"
+#include "verification/solve/scratch.h"
+#include "verification/text/atomic_file.h"
+#include "verification/text/utf8.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <omp.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+enum { LINE = 400, GUARD = 8, LIFE = 9, READ = 0, WRITE = 1, SKIPPED = 77, OVERDUE = 124, SIGNALLED = 128 };
+static const double GRACE = 2;  /* s that processes started by a program may outlive it */
+static const double MERCY = 1;  /* s from SIGTERM to SIGKILL */
+static const int PATIENCE = 20; /* ms between two polls */
+enum {
+    AT_ONCE = 4,
+    AT_END = 512
+}; /* blocks of output per poll; and a number that exceeds the capacity of any pipe */
+
+enum end { RUNNING, ENDED, LEFT_OTHERS, TIMED_OUT, INTERRUPTED };
+
+struct running {
+    const struct process *process;
+    pid_t child;
+    int output[2], life[2];
+    int reaped, status; /* the state of the shell */
+    double start, end;  /* s */
+    char line[LINE];    /* the line being printed */
+    size_t length;
+    char last[LINE]; /* the last line that is not blank */
+};
+
+/* The shell itself reports its process group to the guard before the command starts: if this program reported it and
+ * were killed in between, the command would keep running.  $0 is the command, $1 its TMPDIR. */
+static const char starter[] = "export TMPDIR=\"$1\"; echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
+
+static int spawn(struct running *r) {
+    char *argv[] = {"sh", "-c", (char *)starter, (char *)r->process->command, r->process->scratch->dir, NULL};
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t how;
+    sigset_t ignored; /* ignored by this program, not by the command */
+    posix_spawn_file_actions_init(&files);
+    posix_spawnattr_init(&how);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+    sigemptyset(&ignored);
+    sigaddset(&ignored, SIGXFSZ);
+    posix_spawnattr_setsigdefault(&how, &ignored);
+    int error = posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDOUT_FILENO);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDERR_FILENO);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->process->scratch->pipe, GUARD);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->life[WRITE], LIFE);
+    if (!error) error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, environ);
+    posix_spawn_file_actions_destroy(&files);
+    posix_spawnattr_destroy(&how);
+    return error;
+}
+
+static void close_pipes(struct running *r) {
+    for (int i = 0; i < 2; i++) {
+        if (r->output[i] >= 0) close(r->output[i]);
+        if (r->life[i] >= 0) close(r->life[i]);
+        r->output[i] = r->life[i] = -1;
+    }
+}
+
+/* Returns 0 or an errno.  No other program started at the same time may inherit an end of these pipes. */
+static int start(struct running *r) {
+    int error = 0;
+#pragma omp critical(foreign_spawn)
+    {
+        if (pipe(r->output) || pipe(r->life)) error = errno;
+        for (int i = 0; i < 2 && !error; i++)
+            if ((r->output[i] = scratch_descriptor(r->output[i])) < 0 ||
+                (r->life[i] = scratch_descriptor(r->life[i])) < 0)
+                error = errno;
+        if (!error) fcntl(r->output[READ], F_SETFL, O_NONBLOCK);
+        if (!error) error = spawn(r);
+    }
+    if (error) return error;
+    close(r->output[WRITE]);
+    close(r->life[WRITE]);
+    r->output[WRITE] = r->life[WRITE] = -1;
+    r->start = omp_get_wtime();
+    return 0;
+}
+
+/* Prints the first `length` bytes of the line, cleaned: the text is foreign and must not control the terminal. */
+static void print_line(struct running *r, size_t length) {
+    char rest[LINE];
+    size_t more = r->length - length;
+    memcpy(rest, r->line + length, more);
+    r->line[length] = '\0';
+    utf8_clean(r->line);
+    fprintf(stderr, "%s: %s\n", r->process->label, r->line);
+    if (r->line[strspn(r->line, " ")]) memcpy(r->last, r->line, length + 1);
+    memcpy(r->line, rest, r->length = more);
+}
+
+static void take_text(struct running *r, const char *text, size_t n) {
+    for (size_t i = 0; i < n; i++) {
+        if (text[i] == '\n') {
+            print_line(r, r->length);
+            continue;
+        }
+        if (r->length == LINE - 1) print_line(r, r->length);
+        r->line[r->length++] = (unsigned char)text[i] < ' ' ? ' ' : text[i];
+    }
+}
+
+/* Passes on what the program has printed so far, with lines longer than the buffer in parts.  It reads at most
+ * `most` blocks: a program that prints without end would otherwise keep the caller from timeouts and interrupts. */
+static void relay(struct running *r, int most) {
+    char text[4096];
+    ssize_t n = 1;
+    while (most-- > 0 && (n = read(r->output[READ], text, sizeof text)) > 0) {
+        if (r->process->log) fwrite(text, 1, (size_t)n, r->process->log);
+        take_text(r, text, (size_t)n);
+    }
+    if (n > 0) return;
+    if (n == 0 || (errno != EAGAIN && errno != EINTR)) {
+        close(r->output[READ]);
+        r->output[READ] = -1;
+    }
+}
+
+static void reap(struct running *r) {
+    if (r->reaped || waitpid(r->child, &r->status, WNOHANG) != r->child) return;
+    r->reaped = 1;
+    r->end = omp_get_wtime();
+}
+
+/* Waits at most `most` ms for output or the end of the life line. */
+static void look(struct running *r, int most) {
+    struct pollfd fd[2] = {{.fd = r->life[READ], .events = POLLIN}, {.fd = r->output[READ], .events = POLLIN}};
+    if (r->life[READ] < 0) most = 1; /* only the exit status of the shell is outstanding */
+    if (poll(fd, 2, most) > 0) {
+        if (fd[1].fd >= 0 && fd[1].revents) relay(r, AT_ONCE);
+        if (fd[0].fd >= 0 && fd[0].revents) {
+            close(r->life[READ]);
+            r->life[READ] = -1;
+        }
+    }
+    reap(r);
+}
+
+static enum end follow(struct running *r) {
+    for (;;) {
+        look(r, PATIENCE);
+        if (r->reaped && r->life[READ] < 0) return ENDED;
+        if (atomic_file_noted()) return INTERRUPTED;
+        if (r->reaped && omp_get_wtime() > r->end + GRACE) return LEFT_OTHERS;
+        if (r->process->timeout > 0 && omp_get_wtime() > r->start + r->process->timeout) return TIMED_OUT;
+    }
+}
+
+static void terminate(struct running *r) {
+    double deadline = omp_get_wtime() + MERCY;
+    kill(-r->child, SIGTERM);
+    while (!(r->reaped && r->life[READ] < 0) && omp_get_wtime() < deadline) look(r, PATIENCE);
+    kill(-r->child, SIGKILL);
+    while (!r->reaped) look(r, PATIENCE);
+}
+
+static int judge(const struct running *r, enum end end, struct failure *why) {
+    const char *says = *r->last ? "; it said last: " : "";
+    int status = r->status;
+    if (end == INTERRUPTED)
+        return refuse(why, STATUS_NUMERICAL, "--solver: interrupted by signal %d", atomic_file_noted());
+    if (end == TIMED_OUT)
+        return refuse(why, STATUS_NUMERICAL, "--solver: not done after %g s (--timeout)%s%.160s", r->process->timeout,
+                      says, r->last);
+    if (WIFSIGNALED(status))
+        return refuse(why, STATUS_NUMERICAL, "--solver: ended by signal %d%s%.160s", WTERMSIG(status), says, r->last);
+    status = WEXITSTATUS(status);
+    if (status == SKIPPED)
+        return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)%s%.160s", says, r->last);
+    if (status == 126 || status == 127)
+        return refuse(why, STATUS_INPUT, "--solver: the program could not be run (exit status %d)%s%.160s", status,
+                      says, r->last);
+    if (status) return refuse(why, STATUS_NUMERICAL, "--solver: exit status %d%s%.160s", status, says, r->last);
+    if (end == LEFT_OTHERS)
+        return refuse(why, STATUS_NUMERICAL,
+                      "--solver: ended before what it had started, so that its answer may be unfinished (end the "
+                      "command with `wait`)");
+    return STATUS_OK;
+}
+
+static int code_of(const struct running *r, enum end end) {
+    if (end == INTERRUPTED || end == LEFT_OTHERS) return -1;
+    if (end == TIMED_OUT) return OVERDUE;
+    return WIFSIGNALED(r->status) ? SIGNALLED + WTERMSIG(r->status) : WEXITSTATUS(r->status);
+}
+
+int process_run(const struct process *p, struct failure *why) {
+    struct running *r = xcalloc(1, sizeof *r);
+    *r = (struct running){.process = p, .output = {-1, -1}, .life = {-1, -1}};
+    int error = start(r), status;
+    if (error) {
+        status = refuse(why, STATUS_INPUT, "--solver '%.200s': %s", p->command, strerror(error));
+    } else {
+        enum end end = follow(r);
+        if (end != ENDED) terminate(r);
+        if (r->output[READ] >= 0) relay(r, AT_END);
+        if (r->length) print_line(r, r->length);
+        status = judge(r, end, why);
+        *p->code = code_of(r, end);
+    }
+    close_pipes(r);
+    free(r);
+    return status;
+}
