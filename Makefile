@@ -338,7 +338,7 @@ claims: $(BUILD)/heatladder ## Measure the statements of papers; the ledger goes
 $(BUILD)/verification/bench/bench_print.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
 
 BENCH := $(OUT)/bench
-bench: $(BUILD)/heatladder ## Chart error against time, and measure the engine, to reports/out/bench
+bench: $(BUILD)/heatladder ## Chart error against time and counted work, every scene, to reports/out/bench
 	@mkdir -p $(BENCH)
 	$(Q)$(BUILD)/heatladder bench $(BENCH) | tee $(BENCH)/bench.new && mv $(BENCH)/bench.new $(BENCH)/bench.txt
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \

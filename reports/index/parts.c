@@ -48,7 +48,7 @@ static const struct part {
     {"Stability", "stability_checkerboard.svg", 0, "Amplitude of the checkerboard against time", "make stability"},
     {"Speed", "bench/bench_square-step_time.svg", 1, "Error against wall time on square-step, every candidate",
      "make bench"},
-    {"Speed", "bench/bench.txt", 1, "Speed of the engine", "make bench"},
+    {"Speed", "bench/bench.txt", 1, "The machine, and the Pareto fronts of every scene", "make bench"},
     {song, "song_table1.html", 0, "Table 1: the rod, a jump", "make report"},
     {song, "song_fig1b.svg", 0, "Figure 1b: first-order SSPH oscillates at the jump, second-order does not",
      "make report"},

@@ -38,10 +38,14 @@ static void put_counts(const struct claims *c, FILE *out) {
     int counts[5], changed;
     count(c, counts, &changed);
     fprintf(out,
-            "%d claims: %d reproduced, %d with a condition, %d contradicted, %d not explained, %d not measured; "
-            "%d verdict%s changed\n",
-            c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
-            counts[CLAIMS_UNEXPLAINED], counts[CLAIMS_UNMEASURED], changed, changed == 1 ? "" : "s");
+            "%d statement%s of the papers: %d reproduced, %d with a condition, %d contradicted, %d not explained",
+            c->count, c->count == 1 ? "" : "s", counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION],
+            counts[CLAIMS_CONTRADICTED], counts[CLAIMS_UNEXPLAINED]);
+    if (counts[CLAIMS_UNMEASURED]) fprintf(out, ", %d not measured", counts[CLAIMS_UNMEASURED]);
+    if (changed)
+        fprintf(out, "; %d verdict%s not as expected\n", changed, changed == 1 ? " is" : "s are");
+    else
+        fprintf(out, "; every verdict as expected\n");
 }
 
 void claims_write_text(const struct claims *c, FILE *out) {

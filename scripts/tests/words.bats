@@ -103,7 +103,7 @@ load common
     expect 2 "did you mean 'song'" heatladder report sonng
     expect 2 "unknown study 'bogus'" heatladder report bogus
     [ ! -e bogus ]
-    expect 0 '^1 claims\|1 of ' heatladder report claims --only pamplona/mass
+    expect 0 '^1 statement of the papers: 0 reproduced, 1 with a condition' heatladder report claims --only pamplona/mass
 }
 
 @test "the same bits for any threads and any width of vectors" {

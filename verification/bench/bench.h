@@ -4,7 +4,44 @@
 
 /* Error against cost: every candidate on a ladder of one scene, each rung timed several times. */
 
-#include "verification/bench/candidate.h"
+#include "verification/judge/result.h"
+
+struct experiment;
+
+/* ---- Candidates ---- */
+
+/* Combinations of method and options whose error depends on dx alone. */
+
+struct candidate {
+    const char *label;
+    const char *method;
+    struct options options; /* dx left open */
+    int dim;                /* 1 or 2: for that dimension only; 0: for both */
+    double steps;           /* > 0: 10 time steps and this number for each particle along x */
+};
+
+enum { CANDIDATE_UNIT_MAX = 1024 };
+
+extern const struct candidate bench_candidates[]; /* ended by a NULL label */
+
+/* The candidate's options with n particles along x: dx in m, dt in s. */
+struct options bench_candidate_options(const struct candidate *c, const struct experiment *e, int n);
+
+/* The smallest number of cells along x for which square cells tile the domain, with every jump on a face if
+ * possible; its multiples tile it too.  0 if there is none up to CANDIDATE_UNIT_MAX. */
+int bench_candidate_unit(const struct problem *p);
+
+/* The smallest multiple of the unit that is at least `least`. */
+int bench_candidate_member(double least, int unit);
+
+/* Solves only; arguments as in struct method. */
+int bench_candidate_solve(const struct candidate *c, const struct experiment *e, int n, struct field *f,
+                          struct failure *why);
+
+/* Runs and measures the candidate like run_experiment. */
+int bench_candidate_run(const struct candidate *c, const struct experiment *e, int n, struct result *out);
+
+/* ---- Their ladders, timed ---- */
 
 enum { BENCH_RUNS = 5, BENCH_RUNGS = 6, BENCH_ROWS = 180 };
 
@@ -45,8 +82,5 @@ void bench_run(const struct experiment *e, double seconds, struct bench_scene *b
 
 /* Median and extremes of `count` times, which are sorted. */
 struct bench_time bench_summary(double *seconds, int count);
-
-/* Ratio of the medians, with the smallest and largest ratios that the extremes admit. */
-struct bench_time bench_ratio(struct bench_time a, struct bench_time b);
 
 #endif

@@ -5,7 +5,6 @@
 #include "references/scene.h"
 #include "solver/options.h"
 #include "verification/bench/bench.h"
-#include "verification/bench/engine.h"
 #include "verification/solve/lanes.h"
 #include "verification/text/json.h"
 #include "verification/text/table.h"
@@ -52,24 +51,8 @@ void bench_print_machine(FILE *out) {
     struct machine m = machine_here();
     fprintf(out,
             "processor  %s, %d cores, vectors of %d (HEATLADDER_LANES=2, 4 or 8 forces a width)\ncompiler   "
-            "%s\nflags      %s\n",
-            m.processor, m.cores, m.lanes, m.compiler, m.flags);
-}
-
-void bench_print_engine(const struct bench_engine *e, FILE *out) {
-    fprintf(out, "times      median of %d runs after one to warm up\n\n", BENCH_RUNS);
-    struct table t = table_headed(1, "engine|median|spread [%]|aim|verdict");
-    for (int i = 0; i < e->count; i++) {
-        const struct bench_engine_row *r = &e->row[i];
-        table_add(&t, "%s|%.3g%s%s|%.0f", r->what, r->value, *r->unit ? " " : "", r->unit,
-                  100 * (r->highest - r->lowest) / r->value);
-        if (isnan(r->aim))
-            table_add(&t, "|");
-        else
-            table_add(&t, "%s %g|%s", r->at_most ? "<=" : ">=", r->aim, bench_engine_holds(r) ? "held" : "missed");
-    }
-    table_end(&t, out);
-    fputc('\n', out);
+            "%s\nflags      %s\ntimes      median of %d runs after one to warm up\n\n",
+            m.processor, m.cores, m.lanes, m.compiler, m.flags, BENCH_RUNS);
 }
 
 static void print_front(const struct bench_scene *b, FILE *out) {
@@ -164,19 +147,6 @@ void bench_print_machine_json(struct json *j) {
     json_object(j, "machine");
     json_add(j, "processor %s|cores %d|lanes %d", m.processor, m.cores, m.lanes);
     json_add(j, "compiler %s|flags %s|runs %d", m.compiler, m.flags, BENCH_RUNS);
-    json_end(j);
-}
-
-void bench_print_engine_json(const struct bench_engine *e, struct json *j) {
-    json_array(j, "engine");
-    for (int i = 0; i < e->count; i++) {
-        const struct bench_engine_row *r = &e->row[i];
-        json_object(j, NULL);
-        json_add(j, "what %s|unit %s|median %g|lowest %g|highest %g", r->what, r->unit, r->value, r->lowest,
-                 r->highest);
-        json_add(j, "aim %g|held %d", r->aim, bench_engine_holds(r));
-        json_end(j);
-    }
     json_end(j);
 }
 

@@ -4,19 +4,15 @@
 
 #include <stdio.h>
 
-struct bench_engine;
 struct bench_scene;
 struct json;
 
-/* Text: the machine; throughputs beside their targets; for a scene the Pareto fronts, the failures and what does not
- * apply. */
+/* Text: the machine; for a scene the Pareto fronts, the failures and what does not apply. */
 void bench_print_machine(FILE *out);
-void bench_print_engine(const struct bench_engine *e, FILE *out);
 void bench_print_scene(const struct bench_scene *b, FILE *out);
 
 /* Members of an object that is open. */
 void bench_print_machine_json(struct json *j);
-void bench_print_engine_json(const struct bench_engine *e, struct json *j);
 void bench_print_scene_json(const struct bench_scene *b, struct json *j);
 
 /* The data of the charts as CSV: one block per candidate, then the two fronts. */

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* heatladder bench: error against time and against counted work, and the speed of the engine. */
+/* heatladder bench: error against time and against counted work. */
 #include "verification/cli/verb.h"
 
 #include "references/scene.h"
 #include "verification/bench/bench.h"
-#include "verification/bench/engine.h"
 #include "verification/bench/bench_print.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
@@ -14,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double SECONDS = 4; /* a scene; all scenes, the engine and the charts take a minute */
+static const double SECONDS = 4; /* a scene; all scenes and the charts take a minute */
 
 struct bench_options {
     struct command command;
@@ -49,17 +48,6 @@ static int bench_one(const struct bench_options *given, const struct scene *s, s
     return STATUS_OK;
 }
 
-static void measure_engine(const struct bench_options *r, struct json *j) {
-    struct bench_engine e;
-    bench_engine_run(&e, 1);
-    bench_print_machine_json(j);
-    bench_print_engine_json(&e, j);
-    if (r->json) return;
-    bench_print_machine(stdout);
-    bench_print_engine(&e, stdout);
-    fflush(stdout);
-}
-
 static int bench_scenes(const struct bench_options *r, FILE *out, struct files *files, struct failure *why) {
     struct json j = json_on(out);
     const struct scene *only = r->scene ? scene_find(r->scene) : NULL;
@@ -67,7 +55,9 @@ static int bench_scenes(const struct bench_options *r, FILE *out, struct files *
     int status = STATUS_OK;
     for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
     if (r->scene && !only) return words_unknown(names, "--scene", r->scene, why);
-    measure_engine(r, &j);
+    bench_print_machine_json(&j);
+    if (!r->json) bench_print_machine(stdout);
+    fflush(stdout);
     json_array(&j, "scenes");
     for (int i = 0; scenes[i] && !status; i++)
         if (!only || scenes[i] == only) status = bench_one(r, scenes[i], &j, files, why);

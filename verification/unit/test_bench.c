@@ -7,7 +7,6 @@
 #include "solver/method.h"
 #include "solver/options.h"
 #include "verification/bench/bench.h"
-#include "verification/bench/engine.h"
 #include "verification/judge/command.h"
 #include "verification/text/json.h"
 
@@ -126,30 +125,9 @@ static void charts_have_one_block_per_candidate_and_front(void **state) {
     free(text);
 }
 
-static const struct bench_engine throughput = {.count = 3,
-                                               .row = {{"ftcs, 160 x 160", "updates/s", 9.5e8, 9e8, 1e9, NAN, 0},
-                                                       {"so_ssph over ftcs", "", 0.4, 0.3, 0.5, 0.5, 0},
-                                                       {"a step in steps of ftcs", "", 2.5, 2.4, 2.6, 3, 1}}};
-
-static void engine_text(FILE *out) {
-    bench_print_engine(&throughput, out);
-}
-
-static void throughputs_are_printed_with_their_aims(void **state) {
-    (void)state;
-    char *text = printed(engine_text);
-    assert_string_equal(text, "times      median of 5 runs after one to warm up\n\n"
-                              "engine                              median  spread [%]     aim  verdict\n"
-                              "ftcs, 160 x 160          9.5e+08 updates/s          11          \n"
-                              "so_ssph over ftcs                      0.4          50  >= 0.5   missed\n"
-                              "a step in steps of ftcs                2.5           8    <= 3     held\n\n");
-    free(text);
-}
-
 static void json(FILE *out) {
     struct json j = json_on(out);
     bench_print_machine_json(&j);
-    bench_print_engine_json(&throughput, &j);
     bench_print_scene_json(made(), &j);
     json_end(&j);
 }
@@ -158,11 +136,6 @@ static void json_has_every_row(void **state) {
     (void)state;
     char *text = printed(json);
     assert_has(text, "\"lanes\": ");
-    assert_has(text,
-               "\"what\": \"so_ssph over ftcs\",\n      \"unit\": \"\",\n      \"median\": 0.40000000000000002,\n"
-               "      \"lowest\": 0.29999999999999999,\n      \"highest\": 0.5,\n      \"aim\": 0.5,\n"
-               "      \"held\": 0\n");
-    assert_has(text, "\"aim\": null,\n      \"held\": 1\n");
     assert_has(text, "\"candidate\": \"ftcs\",\n      \"along_x\": 8,\n      \"outcome\": \"ran\",\n");
     assert_has(text, "\"along_x\": 128,\n      \"outcome\": \"left out\",\n");
     assert_has(text,
@@ -178,6 +151,7 @@ static void machine_line_lists_vector_flags(void **state) {
     assert_has(text, "processor  ");
     assert_has(text, " cores, vectors of ");
     assert_has(text, "\nflags      -std=c11 -ffp-contract=off -fopenmp ");
+    assert_has(text, "\ntimes      median of 5 runs after one to warm up\n\n");
     free(text);
 }
 
@@ -220,38 +194,20 @@ static void scenes_of_each_dimension_are_timed(void **state) {
         struct failure why;
         if (command_read(lines[dim - 1], &r, &why)) fail_msg("%s", why.text);
         b = (struct bench_scene){.scene = r.experiment.scene};
-        bench_climb(candidates_table, &r.experiment, candidate_unit(&r.experiment.problem), 0.01, &b);
+        bench_climb(bench_candidates, &r.experiment, bench_candidate_unit(&r.experiment.problem), 0.01, &b);
         assert_in_range(b.row[0].n, 8, 32);
         command_free(&r);
     }
-}
-
-/* Ten times coarser than the benchmark, so that it is soon over: each row is a number, between its extremes. */
-static void engine_rows_are_measured(void **state) {
-    (void)state;
-    static struct bench_engine e;
-    bench_engine_run(&e, 10);
-    assert_int_equal(e.count, BENCH_ENGINE_MOST);
-    for (const struct bench_engine_row *r = e.row; r < e.row + e.count; r++) {
-        if (!(isfinite(r->value) && r->value > 0)) fail_msg("%s: %g", r->what, r->value);
-        assert_order(r->lowest, <=, r->value);
-        assert_order(r->value, <=, r->highest);
-        for (const struct bench_engine_row *other = e.row; other < r; other++)
-            assert_string_not_equal(r->what, other->what);
-    }
-    assert_string_equal(e.row[0].what, "triad, one thread");
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tables_list_fronts_and_refused_candidates),
         cmocka_unit_test(charts_have_one_block_per_candidate_and_front),
-        cmocka_unit_test(throughputs_are_printed_with_their_aims),
         cmocka_unit_test(json_has_every_row),
         cmocka_unit_test(machine_line_lists_vector_flags),
         cmocka_unit_test(front_is_pareto_optimal),
         cmocka_unit_test(scenes_of_each_dimension_are_timed),
-        cmocka_unit_test(engine_rows_are_measured),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Candidates of bench: lattices that suit a problem, the counted work of a run, medians. */
-#include "verification/bench/candidate.h"
+#include "verification/bench/bench.h"
 
 #include "references/scene.h"
 #include "verification/judge/command.h"
-#include "verification/bench/bench.h"
 #include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
@@ -19,7 +18,7 @@ static int unit_of(const char *name, const char *param, double value) {
     for (int i = 0; param && s->params[i].name; i++)
         if (strcmp(s->params[i].name, param) == 0) p.param[i] = value;
     assert_int_equal(s->setup(&p, &why), STATUS_OK);
-    return candidate_unit(&p);
+    return bench_candidate_unit(&p);
 }
 
 /* The jumps of rod-step are at 3/8 and 5/8 of its length, with a = 0.6 at 7/20 and 13/20, with a = 0.43711 on no
@@ -31,9 +30,9 @@ static void cell_counts_put_faces_on_jumps(void **state) {
     assert_int_equal(unit_of("rod-step", "a", 0.43711), 1);
     assert_int_equal(unit_of("rod-gauss", NULL, 0), 1);
     assert_int_equal(unit_of("rod-contact", NULL, 0), 2);
-    assert_int_equal(candidate_member(17, 8), 24);
-    assert_int_equal(candidate_member(16, 8), 16);
-    assert_int_equal(candidate_member(0.5, 8), 8);
+    assert_int_equal(bench_candidate_member(17, 8), 24);
+    assert_int_equal(bench_candidate_member(16, 8), 16);
+    assert_int_equal(bench_candidate_member(0.5, 8), 8);
 }
 
 /* A quarter of the disc's diameter is its ring; a hole of 0.3 m in a body of 1 m leaves 7 of 20 parts of 2 m. */
@@ -49,17 +48,17 @@ static void particles_use_fit_at_round_walls(void **state) {
     struct command r;
     struct failure why;
     if (command_read("reference disc-mode --at 0,0 --time 1", &r, &why)) fail_msg("%s", why.text);
-    for (const struct candidate *c = candidates_table; c->label; c++)
-        assert_int_equal(candidate_options(c, &r.experiment, 8).walls,
+    for (const struct candidate *c = bench_candidates; c->label; c++)
+        assert_int_equal(bench_candidate_options(c, &r.experiment, 8).walls,
                          strncmp(c->method, "ftcs", 4) == 0 ? WALLS_MIRROR : WALLS_FIT);
     command_free(&r);
 }
 
 static void every_candidate_names_a_method_and_differs(void **state) {
     (void)state;
-    for (const struct candidate *c = candidates_table; c->label; c++) {
+    for (const struct candidate *c = bench_candidates; c->label; c++) {
         assert_non_null(method_find(c->method));
-        for (const struct candidate *d = candidates_table; d < c; d++)
+        for (const struct candidate *d = bench_candidates; d < c; d++)
             assert_false(strcmp(c->label, d->label) == 0 && c->dim == d->dim);
     }
 }
@@ -125,21 +124,13 @@ static void timing_summary_is_median_and_range(void **state) {
     assert_near(t.highest, 100, 0);
 }
 
-static void ratio_range_covers_both_ranges(void **state) {
-    (void)state;
-    struct bench_time t = bench_ratio((struct bench_time){3, 2, 5}, (struct bench_time){1.5, 1, 4});
-    assert_near(t.median, 2, 0);
-    assert_near(t.lowest, 0.5, 0);
-    assert_near(t.highest, 5, 0);
-}
-
 /* The coarsest rung runs whatever the time, and predicts the next one; 4e5 given steps are predicted too. */
 static void rungs_that_take_too_long_are_left_out(void **state) {
     (void)state;
     static struct bench_scene b;
     struct command r;
     struct failure why;
-    const struct candidate *c = candidates_table;
+    const struct candidate *c = bench_candidates;
     while (c->dim == 2) c++;
     if (command_read("run rod-cosine ftcs --dx 0.1", &r, &why)) fail_msg("%s", why.text);
     b = (struct bench_scene){.scene = r.experiment.scene};
@@ -176,7 +167,6 @@ int main(void) {
         cmocka_unit_test(updates_of_a_damped_start_are_counted),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
         cmocka_unit_test(timing_summary_is_median_and_range),
-        cmocka_unit_test(ratio_range_covers_both_ranges),
         cmocka_unit_test(refused_and_failed_candidates_differ),
         cmocka_unit_test(rungs_that_take_too_long_are_left_out),
     };

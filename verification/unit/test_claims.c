@@ -152,12 +152,13 @@ static void claim_rows_hold_when_run(void **state) {
 /* A ledger with one of each verdict; the first, not measured, is none expected. */
 static void verdicts_are_counted(void **state) {
     (void)state;
-    static const char *const due[] = {"5 claims: 1 reproduced, 1 with a condition, 1 contradicted, 1 not explained, "
-                                      "1 not measured; 1 verdict changed\n",
-                                      "song/odd: reproduced\n  published  |G| <= 1, always (a test, \"eq. 1\")\n  "
-                                      "measured   first -1.25 K; next 3\n"
-                                      "  because    reason 1\n\n",
-                                      "  published  |G| <= 1, always: 0.5, 0.25 (a test, \"eq. 1\")\n"};
+    static const char *const due[] = {
+        "5 statements of the papers: 1 reproduced, 1 with a condition, 1 contradicted, 1 not "
+        "explained, 1 not measured; 1 verdict is not as expected\n",
+        "song/odd: reproduced\n  published  |G| <= 1, always (a test, \"eq. 1\")\n  "
+        "measured   first -1.25 K; next 3\n"
+        "  because    reason 1\n\n",
+        "  published  |G| <= 1, always: 0.5, 0.25 (a test, \"eq. 1\")\n"};
     struct claims_row r[5];
     struct claims_result result[5];
     char *text[3] = {0};
