@@ -84,7 +84,7 @@ $(BUILD)/scenes.inc: $(call differs,$(BUILD)/scenes.inc,$(SCENE_LIST))
 # Release and commit.  The commit is git's in a checkout and the archive's in a tarball.  In a tree of another user git
 # does not answer, and a build keeps its commit.
 # archive of $Format:%h$
-VERSION := 3.0.0
+VERSION := 4.0.0
 ARCHIVE := $(shell sed -n 's/^\# archive of \([0-9a-f]*\)$$/\1/p' Makefile)
 COMMIT  := $(if $(wildcard .git),$(shell git describe --always --dirty=+ 2>/dev/null),$(ARCHIVE))
 VERSION_LINE := \#define VERSION_TEXT "$(VERSION)$(if $(COMMIT), ($(COMMIT)))"
@@ -180,9 +180,8 @@ install: all ## Install the program and the library under PREFIX (DESTDIR is put
 	$(Q)umask 022; set -e; echo "  INSTALL  $(ROOT)"; \
 	for d in bin share/man/man1 share/bash-completion/completions share/heatladder/examples; do install -d "$(ROOT)/$$d"; done; \
 	install -m 755 $(BUILD)/heatladder '$(ROOT)/bin/heatladder'; \
-	$(BUILD)/heatladder man >'$(SHARE)/man/man1/heatladder.1'; \
-	$(BUILD)/heatladder completion >'$(SHARE)/bash-completion/completions/heatladder'; \
-	chmod 644 '$(SHARE)/man/man1/heatladder.1' '$(SHARE)/bash-completion/completions/heatladder'; \
+	scripts/manual $(BUILD)/heatladder >'$(SHARE)/man/man1/heatladder.1'; chmod 644 '$(SHARE)/man/man1/heatladder.1'; \
+	install -m 644 scripts/completion.bash '$(SHARE)/bash-completion/completions/heatladder'; \
 	install -m 644 verification/examples/* '$(SHARE)/heatladder/examples/'; \
 	install -d '$(ROOT)/include' '$(LIBDIR)/pkgconfig'; \
 	install -m 644 references/library/heatladder.h '$(ROOT)/include/'; \

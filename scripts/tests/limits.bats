@@ -2,11 +2,6 @@
 # Memory, disk, stack and permissions that run out, and interrupts: a result in full, or a reason and nothing left.
 load common
 
-@test "a stack that is too small is refused" {
-    expect 2 'stack of 64 kB' sh -c 'ulimit -s 64; exec heatladder list scenes'
-    expect 2 'OMP_STACKSIZE' env OMP_STACKSIZE=64k heatladder list scenes
-}
-
 @test "standard output on a full disk is a failure" {
     [ -w /dev/full ] || skip "no /dev/full"
     expect 2 '' sh -c 'heatladder list scenes >/dev/full'

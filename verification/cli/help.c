@@ -17,7 +17,7 @@ enum { WIDE = 100 }; /* characters per line */
 const char help_version[] = VERSION_TEXT;
 
 const char help_about[] =
-    "heatladder VERB --help lists the options of a verb; heatladder man has everything.\n"
+    "heatladder VERB --help lists the options of a verb.\n"
     "Environment:\n"
     "  HEATLADDER_LANES  vector width of the hot loops in doubles, 2, 4 or 8 (default: the widest of the machine);\n"
     "                    results are the same to the bit for every width\n"

@@ -15,8 +15,4 @@ extern const char help_about[]; /* environment and exit statuses */
 void help_program(FILE *out);
 void help_verb(const struct verb *v, FILE *out);
 
-/* The manual page heatladder(1), in the macros of man(7), and the completion for bash. */
-void manual_page(FILE *out);
-void manual_completion(FILE *out);
-
 #endif

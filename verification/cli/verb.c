@@ -13,14 +13,9 @@ const struct verb *const verbs[] = {
     NULL};
 #undef VERB
 
-/* Verbs of earlier releases, and their replacements. */
-static const char *const removed[][2] = {
-    {"operators", "heatladder report operators DIR"},
-    {"stability", "heatladder report stability DIR"},
-    {"claims", "heatladder report claims DIR"},
-    {"page", "heatladder report page DIR"},
-    {"choose", "heatladder bench, which charts error against time"},
-    {"plan", "heatladder run, which refuses a run that needs more memory than is free"}};
+/* Verbs of 3.0, and their replacements. */
+static const char *const removed[][2] = {{"man", "man heatladder, once it is installed, or heatladder VERB --help"},
+                                         {"completion", "scripts/completion.bash, which make install installs"}};
 
 const struct verb *verb_find(const char *name) {
     for (int i = 0; verbs[i]; i++)

@@ -99,14 +99,6 @@ static int take_words(struct command *c, struct failure *why) {
 
 /* ---- Options ---- */
 
-/* Options of earlier releases, and their replacements. */
-static const char *const removed[][2] = {
-    {"run", "a batch engine on DIR/cases.txt, then heatladder verify --results DIR"},
-    {"resume", "--keep DIR, then heatladder verify --results DIR"},
-    {"peers", "make league"},
-    {"time-error", "--fourier F; heatladder ladder --fourier A,B,C fits the order in time"},
-    {"redraw", "--layout jitter or relaxed"}};
-
 static int unknown_option(const struct command *c, const char *name, struct failure *why) {
     const char *names[WORDS_MAX] = {0}, *command = c->syntax->name;
     int n = 0;
@@ -118,9 +110,6 @@ static int unknown_option(const struct command *c, const char *name, struct fail
                       "unknown option --%s; --dx is the spacing along every axis, and --aspect R "
                       "makes dy = R dx",
                       name);
-    for (size_t i = 0; i < sizeof removed / sizeof *removed; i++)
-        if (strcmp(removed[i][0], name) == 0)
-            return refuse(why, STATUS_INPUT, "--%s is removed; use %s", name, removed[i][1]);
     for (const struct option *o = c->own; o && o->name; o++) names[n++] = o->name;
     for (const struct option *o = command_options; o->name; o++)
         if (words_among(c->syntax->options, o->name)) names[n++] = o->name;

@@ -23,7 +23,7 @@ except ImportError:
 
 __all__ = ["Case", "HeatladderError", "NotApplicable", "Verdict", "case", "exact", "program", "reference", "run", "solve",
            "solve_case", "verify"]
-__version__ = "3.0.0"
+__version__ = "4.0.0"
 
 NOT_APPLICABLE = 77  # exit status of a program for a case that it does not support
 LONG = 10000  # points of an answer that is written as .npy

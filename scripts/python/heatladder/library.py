@@ -47,7 +47,7 @@ class _Field(Structure):
 def _library() -> ctypes.CDLL:
     """$HEATLADDER_LIBRARY, else the one in this package, else the installed one."""
     packaged = Path(__file__).with_name("lib") / "libheatladder.so"
-    name = os.environ.get("HEATLADDER_LIBRARY") or (str(packaged) if packaged.is_file() else "libheatladder.so.3")
+    name = os.environ.get("HEATLADDER_LIBRARY") or (str(packaged) if packaged.is_file() else "libheatladder.so.4")
     try:
         h = ctypes.CDLL(name)
     except OSError as error:
