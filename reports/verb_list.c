@@ -5,12 +5,12 @@
 #include "references/scene.h"
 #include "solver/method.h"
 #include "solver/time/stepper.h"
+#include "solver/words.h"
 #include "reports/ledger/claims.h"
 #include "reports/papers.h"
 #include "verification/gates/battery.h"
 #include "verification/gates/gates.h"
 #include "verification/text/table.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -15,8 +15,8 @@
 #include "reports/stability/stability.h"
 #include "reports/walls/walls_study.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/text/output.h"
-#include "verification/text/words.h"
 
 #include <omp.h>
 #include <stdio.h>

@@ -2,6 +2,8 @@
 /* The list of methods. */
 #include "solver/method.h"
 
+#include "solver/problem.h"
+
 #include <string.h>
 
 #define METHOD(name) extern const struct method method_##name;
@@ -22,5 +24,9 @@ const struct method *method_find(const char *name) {
 
 int method_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why) {
+    if (options_check(o, why)) return why->status;
+    if (o->dx == 0) return refuse(why, STATUS_INPUT, "--dx is missing: a spacing in m");
+    if (o->dt > p->t_end)
+        return refuse(why, STATUS_INPUT, "--dt %g: a step exceeds the end time; take at most %g s", o->dt, p->t_end);
     return m->solve(m, p, o, f, why);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Names of the option values, derived settings, and the vector width. */
+/* Names of the option values, their ranges, derived settings, and the vector width. */
 #include "solver/options.h"
 
+#include <math.h>
 #include <stddef.h>
 
 #define KERNEL(NAME, name) #name,
@@ -34,6 +35,43 @@ int options_lanes_most(void) {
     if (__builtin_cpu_supports("avx2")) return 4;
 #endif
     return 2;
+}
+
+int options_check(const struct options *o, struct failure *why) {
+    const int given[] = {o->dt != 0, o->fourier != 0}; /* NaN is given */
+    const struct {
+        const char *name;
+        double value, hi;
+    } number[] = {{"dx", o->dx, INFINITY}, {"dt", o->dt, INFINITY},    {"fourier", o->fourier, INFINITY},
+                  {"h", o->h, INFINITY},   {"jitter", o->jitter, 0.5}, {"xi", o->xi, INFINITY}};
+    const struct {
+        int refuses;
+        const char *name;
+        double value;
+        const char *reason, *take;
+    } rule[] = {
+        {o->jitter > 0 && o->layout != LAYOUT_JITTER && o->layout != LAYOUT_RELAXED, "jitter", o->jitter,
+         "these particles do not move", "--layout jitter or relaxed"},
+        {o->sweeps > 0 && o->layout != LAYOUT_RELAXED, "sweeps", o->sweeps, "these particles do not settle",
+         "--layout relaxed"},
+        {o->xi > 0 && o->volume != VOLUME_TUNED, "xi", o->xi, "this volume has no parameter", "--volume tuned"},
+        {given[0] && o->stepper == STEPPER_EXACT, "dt", o->dt, "the stepper takes no time step", "another --stepper"},
+        {given[1] && o->stepper == STEPPER_EXACT, "fourier", o->fourier, "the stepper takes no time step",
+         "another --stepper"},
+    };
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+        if (!(number[i].value >= 0 && number[i].value <= number[i].hi && isfinite(number[i].value)))
+            return refuse(why, STATUS_INPUT, "--%s %g: must be a finite number > 0%s", number[i].name,
+                          number[i].value, isinf(number[i].hi) ? "" : ", at most 0.5");
+    if (o->order && (o->order < 2 || o->order > 4))
+        return refuse(why, STATUS_INPUT, "--order %d: must be 2, 3 or 4", o->order);
+    if (given[0] && given[1])
+        return refuse(why, STATUS_INPUT, "--dt and --fourier exclude each other: give one of them");
+    for (size_t i = 0; i < sizeof rule / sizeof *rule; i++)
+        if (rule[i].refuses)
+            return refuse(why, STATUS_INPUT, "--%s %g: %s; take %s", rule[i].name, rule[i].value, rule[i].reason,
+                          rule[i].take);
+    return STATUS_OK;
 }
 
 double options_spacing(const struct options *o, int axis) {

@@ -67,6 +67,10 @@ struct options {
 /* Doubles in the widest vector of this machine: 2, 4 or 8.  Results are the same for all widths, bit for bit. */
 int options_lanes_most(void);
 
+/* Refuses numbers out of range and options that exclude or need each other; every run passes it.  `dx` may be 0, not
+ * given.  Returns STATUS_OK or STATUS_INPUT. */
+int options_check(const struct options *o, struct failure *why);
+
 /* m, cell size of a case along axis 0 or 1. */
 double options_spacing(const struct options *o, int axis);
 

@@ -9,7 +9,7 @@
 
 #include "solver/method.h"
 #include "verification/text/progress.h"
-#include "verification/text/words.h"
+#include "verification/text/shell.h"
 
 #include <math.h>
 #include <omp.h>
@@ -54,7 +54,7 @@ int claims_collect(const struct claims_row *table, const char *only, struct clai
     while (table[rows].id) rows++;
     *c = (struct claims){.result = xcalloc((size_t)rows, sizeof *c->result)};
     for (int i = 0; i < rows; i++)
-        if (!only || words_match(only, table[i].id)) c->result[c->count++].row = &table[i];
+        if (!only || shell_match(only, table[i].id)) c->result[c->count++].row = &table[i];
     if (c->count) return STATUS_OK;
     return refuse(why, STATUS_INPUT, "no claim matches '%.60s' (see: heatladder list claims)", only ? only : "*");
 }

@@ -20,11 +20,8 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     *resolved = *o;
     int order = o->order > 2 ? o->order : 2;
     if (o->h == 0) resolved->h = s->h ? s->h(p) : 1.1 * order / 2;
-    if (o->h < 0 || !isfinite(o->h)) return refuse(why, STATUS_INPUT, "--h %g: must be > 0, in units of dx", o->h);
     if (o->layout == LAYOUT_RELAXED && o->jitter == 0) resolved->jitter = 0.5;
-    if (o->sweeps == 0) resolved->sweeps = 2000;
-    if (options_is_cloud(o) && !(o->jitter >= 0 && o->jitter <= 0.5))
-        return refuse(why, STATUS_INPUT, "--jitter %g: must be 0 to 0.5, in units of dx", o->jitter);
+    if (o->layout == LAYOUT_RELAXED && o->sweeps == 0) resolved->sweeps = 2000;
     if (compatibility_check(p, resolved, s, why)) return why->status;
     if (o->h_iso) return matched_isotropic(p->dim, resolved, s, &resolved->h, why);
     return STATUS_OK;

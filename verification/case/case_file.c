@@ -7,8 +7,8 @@
 #include "solver/options.h"
 #include "solver/shape.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/text/whole_file.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #include "references/scene.h"
 #include "solver/shape.h"
 #include "solver/status.h"
-#include "verification/text/words.h"
+#include "solver/words.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,9 +4,9 @@
 
 #include "solver/shape.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/text/number.h"
 #include "verification/text/whole_file.h"
-#include "verification/text/words.h"
 
 #include <errno.h>
 #include <float.h>

@@ -3,8 +3,8 @@
 #include "verification/case/samples.h"
 
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/text/number.h"
-#include "verification/text/words.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -3,10 +3,10 @@
 #include "verification/case/formats.h"
 
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/case/samples.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/number.h"
-#include "verification/text/words.h"
 
 #include <stdlib.h>
 #include <string.h>

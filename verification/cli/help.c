@@ -2,11 +2,11 @@
 /* Help, printed from the tables that also parse the arguments, so that the two cannot differ. */
 #include "verification/cli/help.h"
 
+#include "solver/words.h"
 #include "verification/case/case_file.h"
 #include "verification/solve/program.h"
 #include "verification/case/columns.h"
 #include "verification/cli/verb.h"
-#include "verification/text/words.h"
 
 #include "version.inc"
 

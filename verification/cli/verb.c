@@ -3,7 +3,7 @@
 #include "verification/cli/verb.h"
 
 #include "solver/status.h"
-#include "verification/text/words.h"
+#include "solver/words.h"
 
 #include <string.h>
 

@@ -3,11 +3,11 @@
 #include "verification/cli/verb.h"
 
 #include "references/scene.h"
+#include "solver/words.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/bench_print.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
-#include "verification/text/words.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,9 +4,9 @@
 
 #include "references/scene.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/cli/battery_options.h"
 #include "verification/solve/results.h"
-#include "verification/text/words.h"
 
 #include <stdio.h>
 

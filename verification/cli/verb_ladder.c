@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder ladder: runs at decreasing dx (or dt), and the observed order of the error. */
+#include "solver/words.h"
 #include "verification/cli/verb.h"
 
 #include "verification/text/json.h"
@@ -13,7 +14,6 @@
 #include "verification/text/atomic_file.h"
 #include "verification/text/table.h"
 #include "verification/text/verdict.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>

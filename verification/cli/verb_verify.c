@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder verify: all gates, or the battery on another program. */
+#include "solver/words.h"
 #include "verification/cli/verb.h"
 
 #include "verification/text/atomic_file.h"
@@ -9,7 +10,7 @@
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
-#include "verification/text/words.h"
+#include "verification/text/shell.h"
 #include "verification/solve/results.h"
 #include "verification/report/page.h"
 
@@ -95,7 +96,7 @@ static int collect(const struct verify_options *r, struct gate_file *file, struc
     g->origin = origin;
     snprintf(origin, ORIGIN, "--order %d --seed %lu", order, seed);
     if (r->gates_path) {
-        char *words = words_line(2, (const char *const[]){"--gates", r->gates_path});
+        char *words = shell_line(2, (const char *const[]){"--gates", r->gates_path});
         snprintf(origin, ORIGIN, "%s", words);
         free(words);
     }

@@ -2,8 +2,8 @@
 /* Sentences for faults. */
 #include "verification/fault/wording.h"
 
+#include "solver/words.h"
 #include "verification/fault/diagnosis.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,13 +2,13 @@
 /* The table of the battery, and its cases for a program that runs elsewhere. */
 #include "verification/gates/battery.h"
 
+#include "solver/words.h"
 #include "references/scene.h"
 #include "verification/judge/command.h"
 #include "verification/solve/results.h"
 #include "verification/gates/ceiling.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/whole_file.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>

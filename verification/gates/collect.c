@@ -4,10 +4,11 @@
 
 #include "references/scene.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/judge/command.h"
 #include "verification/gates/ceiling.h"
 #include "verification/text/atomic_file.h"
-#include "verification/text/words.h"
+#include "verification/text/shell.h"
 
 #include <fnmatch.h>
 #include <math.h>
@@ -160,7 +161,7 @@ static int check_globs(const struct gates *g, const char *option, const char *gl
     char glob[1024];
     while (globs) {
         int found = 0;
-        globs = words_glob(globs, glob, sizeof glob);
+        globs = shell_glob(globs, glob, sizeof glob);
         for (int i = 0; i < g->declared; i++) found += fnmatch(glob, g->result[i].gate.id, 0) == 0;
         if (!found) return none_matches(g, option, glob, why);
     }
@@ -172,8 +173,8 @@ int gates_choose(struct gates *g, const char *only, const char *skip, int quick,
     if (check_globs(g, "only", only, why) || check_globs(g, "skip", skip, why)) return why->status;
     for (int i = 0; i < g->declared; i++) {
         struct gate gate = g->result[i].gate;
-        if ((quick && gate.tier != TIER_QUICK) || (only && !words_match(only, gate.id))) continue;
-        if (!words_match(skip, gate.id)) g->result[kept++] = g->result[i];
+        if ((quick && gate.tier != TIER_QUICK) || (only && !shell_match(only, gate.id))) continue;
+        if (!shell_match(skip, gate.id)) g->result[kept++] = g->result[i];
     }
     g->declared = kept;
     if (kept) return STATUS_OK;

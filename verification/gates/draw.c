@@ -6,8 +6,8 @@
 #include "references/mapping.h"
 #include "references/scene.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/text/number.h"
-#include "verification/text/words.h"
 
 #include <gsl/gsl_rng.h>
 #include <math.h>

@@ -60,7 +60,7 @@ void gates_add(struct gates *g, const struct gate *gate);
 /* A copy of the text; gates_free frees it. */
 const char *gates_keep(struct gates *g, const char *text);
 
-/* Keeps rows with an id that matches a glob of `only` and none of `skip` (words_match; NULL: all, none); quick: rows
+/* Keeps rows with an id that matches a glob of `only` and none of `skip` (shell_match; NULL: all, none); quick: rows
  * of the quick tier.  STATUS_OK, or STATUS_INPUT if a glob matches no row or no row is left. */
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One gate: reading its command, measuring, judging, and the command that repeats the verdict. */
+#include "solver/words.h"
 #include "verification/gates/gates.h"
 
 #include "verification/judge/command.h"
@@ -7,7 +8,7 @@
 #include "verification/solve/results.h"
 #include "verification/judge/judge.h"
 #include "verification/judge/ladder.h"
-#include "verification/text/words.h"
+#include "verification/text/shell.h"
 
 #include <math.h>
 #include <omp.h>
@@ -124,7 +125,7 @@ void gates_run_row(struct gates *g, struct gate_result *r, const struct program 
 /* ---- The command that repeats a row ---- */
 
 static void put_words(const char *option, const char *value, FILE *out) {
-    char *words = words_line(2, (const char *const[]){option, value});
+    char *words = shell_line(2, (const char *const[]){option, value});
     fprintf(out, " %s", words);
     free(words);
 }
@@ -145,7 +146,7 @@ void gates_command(const struct gate *gate, const struct program *program, char 
     int ladder = is_ladder(gate->measure);
     FILE *out = xcheck(fmemopen(text, size, "w"), size, 1);
     if (!ladder) {
-        char *only = words_line(1, (const char *const[]){words_literal(gate->id, glob, sizeof glob)});
+        char *only = shell_line(1, (const char *const[]){shell_literal(gate->id, glob, sizeof glob)});
         fprintf(out, "verify --only %s", only);
         free(only);
     } else

@@ -4,6 +4,7 @@
 
 #include "references/scene.h"
 #include "solver/shape.h"
+#include "solver/words.h"
 #include "verification/judge/command.h"
 #include "verification/fault/wording.h"
 #include "verification/judge/consistency.h"
@@ -11,7 +12,6 @@
 #include "verification/judge/ladder.h"
 #include "verification/judge/run.h"
 #include "verification/solve/symmetry.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>

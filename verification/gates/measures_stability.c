@@ -3,12 +3,12 @@
 #include "verification/gates/measures.h"
 
 #include "solver/time/stepper.h"
+#include "solver/words.h"
 #include "verification/stability/long_run.h"
 #include "verification/stability/step_limit.h"
 #include "verification/stability/maximum_principle.h"
 #include "verification/judge/command.h"
 #include "verification/judge/run.h"
-#include "verification/text/words.h"
 
 #include <float.h>
 #include <math.h>

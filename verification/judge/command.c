@@ -8,10 +8,11 @@
 
 #include "references/scene.h"
 #include "solver/space/operator.h"
+#include "solver/words.h"
 #include "verification/solve/results.h"
 #include "verification/solve/lanes.h"
 #include "verification/judge/run.h"
-#include "verification/text/words.h"
+#include "verification/text/shell.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -234,7 +235,7 @@ int command_parse(const struct command_syntax *syntax, const struct option *own,
     int words = 0, most = 0;
     for (const char *at = syntax->positionals; *at; at += strcspn(at, " "), at += *at == ' ') most++;
     c->syntax = syntax, c->own = own;
-    c->typed = words_line(argc, (const char *const *)argv);
+    c->typed = shell_line(argc, (const char *const *)argv);
     *why = (struct failure){0};
     for (int i = 1; i < argc; i++) {
         int verbose = strcmp(argv[i], "-v") == 0 && command_option(syntax, own, "verbose");

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Options that lack, contradict or need each other. */
+#include "solver/words.h"
 #include "verification/judge/command.h"
 
 #include "references/scene.h"
-#include "solver/time/stepper.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -61,21 +60,13 @@ int command_check(const struct command *c, struct failure *why) {
     const struct problem *p = &e->problem;
     const struct mapping *map = &e->program.map;
     const struct numbers *expect = &c->rungs.expect, *dt = &c->rungs.dt, *at = &c->at;
-    const struct stepper *stepper = stepper_of(o->stepper);
     const int scene = e->scene != NULL, round = scene && p->shape, flat = scene && !p->shape;
     const int plane = p->dim == 2, ours = e->method && e->method->scheme;
     double least = INFINITY, greatest = 0;
     for (int i = 0; i < dt->count; i++) least = fmin(least, dt->value[i]), greatest = fmax(greatest, dt->value[i]);
 
     const struct rule rules[] = {
-        {dt->count && stepper && stepper->evolve, "dt", "the stepper takes no time step", "another --stepper"},
-        {c->rungs.fourier.count && stepper && stepper->evolve, "fourier", "the stepper takes no time step",
-         "another --stepper"},
         {scene && greatest > p->t_end, "dt", "a step exceeds the end time", "at most the end time"},
-        {o->jitter > 0 && o->layout != LAYOUT_JITTER && o->layout != LAYOUT_RELAXED, "jitter",
-         "these particles do not move", "--layout jitter or relaxed"},
-        {o->sweeps > 0 && o->layout != LAYOUT_RELAXED, "sweeps", "these particles do not settle", "--layout relaxed"},
-        {o->xi > 0 && o->volume != VOLUME_TUNED, "xi", "this volume has no parameter", "--volume tuned"},
         {at->count > DIM_MAX || (at->count && scene && at->count != p->dim), "at",
          "the point has as many numbers as axes", points[p->dim]},
         {c->rungs.fine > 0 && !(dt->count > 1 && c->rungs.fine < least), "fine",
@@ -100,5 +91,5 @@ int command_check(const struct command *c, struct failure *why) {
             return refuse(why, STATUS_INPUT, "--%s %.60s: %s; take %s", rules[k].option, given ? given : "",
                           rules[k].reason, rules[k].take);
     }
-    return STATUS_OK;
+    return options_check(o, why);
 }

@@ -4,8 +4,8 @@
 
 #include "references/scene.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/text/number.h"
-#include "verification/text/words.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -59,7 +59,7 @@ static int set_param(struct command *c, const char *name, const char *text, stru
     int i = words_index(names, name);
     snprintf(what, sizeof what, "parameter of %s", c->experiment.scene->name);
     if (i < 0) return words_unknown(names, what, name, why);
-    if (c->overridden & 1ul << i) return refuse(why, STATUS_INPUT, "parameter '%s' is given twice", name);
+    if (c->overridden & 1ul << i) return refuse(why, STATUS_INPUT, "--set %s is given twice", name);
     c->overridden |= 1ul << i;
     if (table[i].choice) return read_choice(&table[i], text, &c->experiment.problem.param[i], why);
     if (number_read(text, &c->experiment.problem.param[i]) == 0) return STATUS_OK;

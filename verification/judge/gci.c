@@ -19,6 +19,7 @@
 
 #include "solver/problem.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/solve/case_run.h"
 #include "verification/solve/field_file.h"
 #include "verification/solve/results.h"
@@ -26,7 +27,6 @@
 #include "verification/judge/interpolate.h"
 #include "verification/text/json.h"
 #include "verification/text/whole_file.h"
-#include "verification/text/words.h"
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>

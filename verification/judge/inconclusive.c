@@ -16,12 +16,12 @@
  * mean)^2) about the slope.  The result is the smallest n by halving with an interval inside the band. */
 #include "verification/judge/inconclusive.h"
 
+#include "solver/words.h"
 #include "references/mapping.h"
 #include "verification/judge/judge.h"
 #include "verification/judge/ladder.h"
 #include "verification/judge/window.h"
 #include "verification/text/number.h"
-#include "verification/text/words.h"
 
 #include <float.h>
 #include <gsl/gsl_cdf.h>

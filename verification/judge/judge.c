@@ -23,9 +23,9 @@
  * sum of squares.  If the band contains an order of 0, a floor is expected. */
 #include "verification/judge/judge.h"
 
+#include "solver/words.h"
 #include "verification/judge/slope.h"
 #include "verification/judge/window.h"
-#include "verification/text/words.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>

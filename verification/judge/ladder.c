@@ -4,6 +4,7 @@
 
 #include "solver/field.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/solve/results.h"
 #include "verification/judge/inconclusive.h"
 #include "verification/judge/judge.h"
@@ -11,7 +12,6 @@
 #include "verification/text/progress.h"
 #include "verification/judge/run.h"
 #include "verification/judge/semidiscrete.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <omp.h>

@@ -3,8 +3,8 @@
 #include "verification/judge/option.h"
 
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/text/number.h"
-#include "verification/text/words.h"
 
 #include <stdio.h>
 #include <stdlib.h>

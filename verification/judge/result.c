@@ -3,9 +3,9 @@
  * kernel for finite differences. */
 #include "verification/judge/result.h"
 
+#include "solver/words.h"
 #include "references/scene.h"
 #include "verification/text/json.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>

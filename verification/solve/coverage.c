@@ -15,8 +15,8 @@
 
 #include "solver/shape.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/case/samples.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -13,8 +13,8 @@
 
 #include "solver/problem.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/case/samples.h"
-#include "verification/text/words.h"
 
 #include <gsl/gsl_interp.h>
 #include <gsl/gsl_sort_double.h>

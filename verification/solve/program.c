@@ -8,6 +8,7 @@
 #include "solver/options.h"
 #include "solver/problem.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/case/case_file.h"
 #include "verification/solve/case_run.h"
 #include "verification/solve/field_file.h"
@@ -16,7 +17,7 @@
 #include "verification/solve/scratch.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/output.h"
-#include "verification/text/words.h"
+#include "verification/text/shell.h"
 
 #include <errno.h>
 #include <math.h>
@@ -112,7 +113,7 @@ static int kept_place(const struct program *g, const struct scene *s, const stru
                       struct failure *why) {
     if (place_below(g, g->keep, s, o, dir))
         return refuse(why, STATUS_INPUT, "--keep '%.100s...': too long a path", g->keep);
-    if (!words_is_plain(dir))
+    if (!shell_is_plain(dir))
         return refuse(why, STATUS_INPUT, "--keep '%.200s': letters, digits and /._-+=,@%% are wanted in its name",
                       g->keep);
     return make_directories(dir, why);

@@ -5,12 +5,12 @@
 #include "references/scene.h"
 #include "solver/options.h"
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/case/case_file.h"
 #include "verification/solve/case_run.h"
 #include "verification/solve/program.h"
 #include "verification/text/output.h"
 #include "verification/text/whole_file.h"
-#include "verification/text/words.h"
 
 #include <dirent.h>
 #include <errno.h>

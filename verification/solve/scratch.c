@@ -3,7 +3,7 @@
 #include "verification/solve/scratch.h"
 
 #include "solver/status.h"
-#include "verification/text/words.h"
+#include "verification/text/shell.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -48,7 +48,7 @@ int scratch_descriptor(int descriptor) {
 int scratch_open(struct scratch *s, struct failure *why) {
     const char *parent = getenv("TMPDIR");
     int ends[2] = {-1, -1}, error = 0;
-    if (!parent || *parent != '/' || strlen(parent) > SCRATCH_PATH - 60 || !words_is_plain(parent)) parent = "/tmp";
+    if (!parent || *parent != '/' || strlen(parent) > SCRATCH_PATH - 60 || !shell_is_plain(parent)) parent = "/tmp";
     snprintf(s->dir, sizeof s->dir, "%.195s/heatladder-XXXXXX", parent);
     if (!mkdtemp(s->dir))
         return refuse(why, STATUS_INPUT, "cannot make a directory in '%.195s': %s", parent, strerror(errno));

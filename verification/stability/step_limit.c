@@ -17,10 +17,10 @@
 #include "verification/stability/step_limit.h"
 
 #include "solver/time/stepper.h"
+#include "solver/words.h"
 
 #include "verification/stability/spectrum.h"
 #include "verification/stability/symbol.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <string.h>

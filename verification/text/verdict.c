@@ -2,7 +2,7 @@
 /* The verdicts and their colours: on a terminal only, and never if NO_COLOR is set (no-color.org). */
 #include "verification/text/verdict.h"
 
-#include "verification/text/words.h"
+#include "solver/words.h"
 
 #include <math.h>
 #include <stdlib.h>

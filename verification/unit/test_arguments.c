@@ -4,7 +4,6 @@
 
 #include "references/scene.h"
 #include "solver/options.h"
-#include "verification/text/words.h"
 
 #include "verification/unit/near.h"
 
@@ -163,7 +162,7 @@ static const struct {
     {"run rod-step ftcs --dx 0.1 --set kappa", "--set 'kappa': must be NAME=VALUE"},
     {"run rod-step ftcs --dx 0.1 --set kappa=1e999", "--set kappa=1e999: must be a finite number, in m^2/s"},
     {"run rod-step ftcs --dx 0.1 --set kappa=-1", "--set kappa=-1"},
-    {"run rod-step ftcs --dx 0.1 --t-end 1 --set t_end=1", "parameter 't_end' is given twice"},
+    {"run rod-step ftcs --dx 0.1 --t-end 1 --set t_end=1", "--set t_end is given twice"},
     {"run plate ftcs --dx 0.01 --set material=stel", "unknown material 'stel'; did you mean 'steel'?"},
     {"reference plate --at 0.01,0.01 --time 1 --map z,x", "--map 'z,x': must name each axis of the scene once"},
     {"ladder rod-step mine --dx 0.1 --solver '{case}{out}' --vary dx=1,2", "and not case, out or dx"},

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help of each verb. */
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/cli/help.h"
 #include "verification/cli/verb.h"
-#include "verification/text/words.h"
 
 #include "verification/unit/near.h"
 

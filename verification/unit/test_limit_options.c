@@ -2,10 +2,10 @@
 /* `limit` with every method, every stepper, and every value of each of its options: a number or a reason, whatever is
  * asked. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
+#include "solver/words.h"
 
 #include "verification/judge/command.h"
 #include "verification/stability/step_limit.h"
-#include "verification/text/words.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>

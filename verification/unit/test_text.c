@@ -3,9 +3,10 @@
 #include "verification/text/json.h"
 #include "verification/text/table.h"
 #include "verification/text/utf8.h"
-#include "verification/text/words.h"
+#include "verification/text/shell.h"
 
 #include "solver/status.h"
+#include "solver/words.h"
 
 #include "verification/unit/near.h"
 
@@ -69,19 +70,19 @@ static void lists_are_searched_for_whole_words(void **state) {
 /* A backslash takes the special meaning from the next character. */
 static void globs_match_one_by_one(void **state) {
     (void)state;
-    assert_true(words_match("a*", "a/b"));
-    assert_true(words_match("x,a?b", "a/b"));
-    assert_false(words_match("x,y", "a"));
-    assert_false(words_match(NULL, "a"));
-    assert_true(words_match("a\\,b,c", "a,b"));
-    assert_true(words_match("a\\,b,c", "c"));
-    assert_false(words_match("a\\,b,c", "b"));
-    assert_true(words_match("a\\\\,c", "a\\"));
+    assert_true(shell_match("a*", "a/b"));
+    assert_true(shell_match("x,a?b", "a/b"));
+    assert_false(shell_match("x,y", "a"));
+    assert_false(shell_match(NULL, "a"));
+    assert_true(shell_match("a\\,b,c", "a,b"));
+    assert_true(shell_match("a\\,b,c", "c"));
+    assert_false(shell_match("a\\,b,c", "b"));
+    assert_true(shell_match("a\\\\,c", "a\\"));
     char glob[5];
-    const char *next = words_glob("abc\\,d,e", glob, sizeof glob);
+    const char *next = shell_glob("abc\\,d,e", glob, sizeof glob);
     assert_string_equal(glob, "abc\\");
     assert_string_equal(next, "e");
-    assert_null(words_glob("abcde", glob, sizeof glob));
+    assert_null(shell_glob("abcde", glob, sizeof glob));
     assert_string_equal(glob, "abcd");
 }
 
@@ -89,12 +90,12 @@ static void literal_pattern_matches_its_word_alone(void **state) {
     (void)state;
     static const char *const words[] = {"a*b", "a?b", "[ab]", "a,b", "a\\b", "a]b"};
     char pattern[40];
-    assert_string_equal(words_literal("a*?[,\\]z", pattern, sizeof pattern), "a\\*\\?\\[\\,\\\\]z");
+    assert_string_equal(shell_literal("a*?[,\\]z", pattern, sizeof pattern), "a\\*\\?\\[\\,\\\\]z");
     for (int i = 0; i < 6; i++)
         for (int k = 0; k < 6; k++)
-            assert_int_equal(words_match(words_literal(words[i], pattern, sizeof pattern), words[k]), i == k);
-    assert_string_equal(words_literal("abc*", pattern, 5), "abc");
-    assert_string_equal(words_literal("abc*", pattern, 6), "abc\\*");
+            assert_int_equal(shell_match(shell_literal(words[i], pattern, sizeof pattern), words[k]), i == k);
+    assert_string_equal(shell_literal("abc*", pattern, 5), "abc");
+    assert_string_equal(shell_literal("abc*", pattern, 6), "abc\\*");
 }
 
 static void unknown_word_lists_the_valid_ones(void **state) {
@@ -117,10 +118,10 @@ static void unknown_word_names_the_nearest(void **state) {
 static void lines_are_quoted_for_a_shell(void **state) {
     (void)state;
     const char *const words[] = {"verify", "--solver", "it's {case} \"$x\"", "--dx=0.1,1e-2", "", "a*"};
-    char *line = words_line(6, words);
+    char *line = shell_line(6, words);
     assert_string_equal(line, "verify --solver 'it'\\''s {case} \"$x\"' --dx=0.1,1e-2 '' 'a*'");
     free(line);
-    line = words_line(0, words);
+    line = shell_line(0, words);
     assert_string_equal(line, "");
     free(line);
 }

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The nearest valid word, by edit distance: insertions, deletions, substitutions and swaps of two neighbours
  * (Damerau 1964), each counted as one. */
-#include "verification/text/words.h"
+#include "solver/words.h"
 
 #include "solver/status.h"
 
-#include <fnmatch.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -81,56 +80,4 @@ int words_unknown(const char *const *words, const char *what, const char *word, 
     if (!words[0]) return refuse(why, STATUS_INPUT, "unknown %s '%.60s'; there is none", what, word);
     if (nearest) snprintf(hint, sizeof hint, "; did you mean '%.60s'?", nearest);
     return refuse(why, STATUS_INPUT, "unknown %s '%.60s'%s (valid: %s)", what, word, hint, valid);
-}
-
-int words_is_plain(const char *word) {
-    static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789/._-+=,@%";
-    return *word && word[strspn(word, plain)] == '\0';
-}
-
-const char *words_literal(const char *word, char *pattern, size_t size) {
-    size_t n = 0;
-    for (; *word && n + 2 < size; word++) {
-        if (strchr("\\*?[,", *word)) pattern[n++] = '\\';
-        pattern[n++] = *word;
-    }
-    pattern[n] = '\0';
-    return pattern;
-}
-
-const char *words_glob(const char *globs, char *glob, size_t size) {
-    size_t n = 0;
-    for (; *globs && *globs != ','; globs++) {
-        if (n + 1 < size) glob[n++] = *globs;
-        if (*globs != '\\' || !globs[1]) continue;
-        globs++;
-        if (n + 1 < size) glob[n++] = *globs;
-    }
-    glob[n] = '\0';
-    return *globs ? globs + 1 : NULL;
-}
-
-int words_match(const char *globs, const char *name) {
-    char glob[1024];
-    while (globs) {
-        globs = words_glob(globs, glob, sizeof glob);
-        if (fnmatch(glob, name, 0) == 0) return 1;
-    }
-    return 0;
-}
-
-/* '...' holds all but a quote, which becomes '\'' (POSIX, shell command language, 2.2.2). */
-char *words_line(int count, const char *const *words) {
-    size_t room = 1;
-    for (int i = 0; i < count; i++) room += 4 * strlen(words[i]) + 3;
-    char *line = xcalloc(room, 1), *to = line;
-    for (int i = 0; i < count; i++) {
-        const char *from = words[i];
-        int quoted = !words_is_plain(from);
-        if (i > 0) *to++ = ' ';
-        if (quoted) *to++ = '\'';
-        for (; *from; from++) to += sprintf(to, *from == '\'' ? "'\\''" : "%c", *from);
-        if (quoted) *to++ = '\'';
-    }
-    return line;
 }
