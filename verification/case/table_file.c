@@ -5,7 +5,7 @@
 #include "solver/status.h"
 #include "solver/words.h"
 #include "verification/case/samples.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/number.h"
 
 #include <stdlib.h>
@@ -62,7 +62,7 @@ static int next_line(struct reader *t, struct failure *why) {
     while ((read = getline(&t->text, &t->room, t->in)) >= 0) {
         t->length = (size_t)read;
         t->line++;
-        if (atomic_file_noted()) return wrong(t, why, "interrupted while it is read"), -1;
+        if (output_noted()) return wrong(t, why, "interrupted while it is read"), -1;
         if (memchr(t->text, '\0', t->length)) return wrong(t, why, "a NUL byte: this is no text file"), -1;
         if (t->text[t->length - 1] != '\n')
             return wrong(t, why, "ends without a newline: the file looks cut off; end the last line too"), -1;

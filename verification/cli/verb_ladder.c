@@ -11,7 +11,7 @@
 #include "verification/judge/ladder.h"
 #include "verification/report/page.h"
 #include "verification/judge/memory.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/table.h"
 #include "verification/text/verdict.h"
 
@@ -167,8 +167,8 @@ static int act(const void *options, struct failure *why) {
     const struct ladder_options *r = options;
     if (!r->command.experiment.scene) return without_scene(r, why);
     struct ladder *l = xcalloc(1, sizeof *l);
-    int status = atomic_file_check(r->page_path, why);
-    if (!status) status = atomic_file_check(r->junit_path, why);
+    int status = output_check(r->page_path, why);
+    if (!status) status = output_check(r->junit_path, why);
     if (!status) status = check_finest(&r->command, why);
     struct experiment e = r->command.experiment;
     e.growth = 1;

@@ -3,9 +3,8 @@
 #include "verification/cli/verb.h"
 
 #include "references/snapshot.h"
-#include "verification/text/atomic_file.h"
-#include "verification/text/json.h"
 #include "verification/text/output.h"
+#include "verification/text/json.h"
 #include "verification/judge/memory.h"
 #include "verification/judge/run.h"
 
@@ -94,7 +93,7 @@ static int check(const struct run_options *r, struct failure *why) {
                       : l->dt.count > 1 ? "dt"
                                         : "fourier");
     if (memory_check(&r->command.experiment, why)) return why->status;
-    return atomic_file_check(r->field_path, why);
+    return output_check(r->field_path, why);
 }
 
 static int act(const void *options, struct failure *why) {

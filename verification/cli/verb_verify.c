@@ -3,13 +3,12 @@
 #include "solver/words.h"
 #include "verification/cli/verb.h"
 
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/cli/battery_options.h"
 #include "verification/gates/gate_file.h"
 #include "verification/fault/headline.h"
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
-#include "verification/text/output.h"
 #include "verification/text/shell.h"
 #include "verification/solve/results.h"
 #include "verification/report/page.h"
@@ -145,13 +144,13 @@ static int run_gates(const struct verify_options *r, struct gates *g, struct fai
 
 static int verify(const struct verify_options *r, struct gate_file *file, struct gates *g, struct failure *why) {
     char origin[ORIGIN];
-    if (atomic_file_check(r->json_path, why) || atomic_file_check(r->junit_path, why)) return why->status;
-    if (atomic_file_check(r->page_path, why)) return why->status;
+    if (output_check(r->json_path, why) || output_check(r->junit_path, why)) return why->status;
+    if (output_check(r->page_path, why)) return why->status;
     if (collect(r, file, g, origin, why)) return why->status;
     double start = omp_get_wtime();
-    int status = atomic_file_noted() ? STATUS_OK : run_gates(r, g, why);
-    if (atomic_file_noted()) {
-        gates_cut(g, atomic_file_noted());
+    int status = output_noted() ? STATUS_OK : run_gates(r, g, why);
+    if (output_noted()) {
+        gates_cut(g, output_noted());
         fprintf(stderr, "heatladder: interrupted: %d of %d gates judged\n", g->executed, g->planned);
     }
     return status ? status : write_all(g, r, omp_get_wtime() - start, why);
@@ -161,9 +160,9 @@ static int act(const void *options, struct failure *why) {
     const struct verify_options *r = options;
     struct gates gates = {0};
     struct gate_file file = {0};
-    atomic_file_hold(); /* an interrupt ends the program once the verdicts so far are written */
+    output_hold(); /* an interrupt ends the program once the verdicts so far are written */
     int status = verify(r, &file, &gates, why);
-    atomic_file_release();
+    output_release();
     if (!status) status = gates_status(&gates);
     gates_free(&gates);
     gate_file_free(&file);

@@ -7,7 +7,7 @@
 #include "verification/judge/command.h"
 #include "verification/solve/results.h"
 #include "verification/gates/ceiling.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/whole_file.h"
 
 #include <math.h>
@@ -90,7 +90,7 @@ int battery_bounds(struct gates *g, struct failure *why) {
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < g->declared; i++) {
         struct failure own;
-        if (atomic_file_noted() || !g->result[i].line || !set_bounds(&g->result[i], &own)) continue;
+        if (output_noted() || !g->result[i].line || !set_bounds(&g->result[i], &own)) continue;
 #pragma omp critical(battery_bounds)
         if (i < first) first = i, *why = own;
     }

@@ -7,7 +7,7 @@
 #include "solver/words.h"
 #include "verification/judge/command.h"
 #include "verification/gates/ceiling.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/shell.h"
 
 #include <fnmatch.h>
@@ -40,7 +40,6 @@ static void bounds_of(int line, const struct experiment *e, struct gate *g) {
     case __LINE__:                                                                                                   \
         g->lo = low, g->hi = high, g->ceiling = limit;                                                               \
         return;
-#include "verification/gates/gates.def"
 #undef GATE
     default:
         g->lo = g->hi = g->ceiling = NAN * dx;
@@ -90,7 +89,7 @@ static void add_row(struct gates *g, const struct row *row, const char *id, cons
 
 /* A refused command has no bounds; its gate fails with the refusal.  An interrupt leaves the rest. */
 static void set_bounds(struct gate_result *r) {
-    if (atomic_file_noted() || !r->line || !r->read) return;
+    if (output_noted() || !r->line || !r->read) return;
     struct experiment e = gates_finest(r->read);
     bounds_of(r->line, &e, &r->gate);
 }

@@ -6,7 +6,7 @@
 #include "verification/fault/headline.h"
 #include "verification/judge/command.h"
 #include "verification/solve/program.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/progress.h"
 
 #include <gsl/gsl_sort_double.h>
@@ -50,7 +50,7 @@ void gates_run(struct gates *g) {
 #pragma omp parallel for schedule(dynamic, 1) reduction(+ : executed) if (!solver)
     for (int i = 0; i < g->declared; i++) {
         struct gate_result *result = &g->result[order[i]];
-        if (atomic_file_noted()) continue;
+        if (output_noted()) continue;
         gates_run_row(g, result, g->program);
         executed += !result->executed;
         result->executed = 1;

@@ -90,7 +90,7 @@ int gates_rungs(const struct gate_result *r);
 void gates_run(struct gates *g);
 
 /* Runs all rows by g->program, `jobs` cases at a time, and prints each verdict on standard error.  The caller holds
- * interrupts (text/atomic_file.h); an interrupt leaves the rows that are not judged yet.  STATUS_OK, or STATUS_INPUT
+ * interrupts (text/output.h); an interrupt leaves the rows that are not judged yet.  STATUS_OK, or STATUS_INPUT
  * with *why if the program does not exist. */
 int gates_run_program(struct gates *g, int jobs, struct failure *why);
 

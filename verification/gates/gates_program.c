@@ -7,7 +7,7 @@
 #include "verification/solve/program.h"
 #include "verification/solve/runs.h"
 #include "verification/solve/scratch.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/progress.h"
 
 #include <gsl/gsl_sort_double.h>
@@ -23,10 +23,9 @@ static void show_row(const struct gates *g, const struct gate_result *r, struct 
 static void run_row(struct gates *g, struct gate_result *result, const struct program *program,
                     struct progress *progress) {
     struct failure ignored;
-    if (atomic_file_noted() || runs_absent(program->runs, &ignored)) return;
+    if (output_noted() || runs_absent(program->runs, &ignored)) return;
     gates_run_row(g, result, program);
-    if (atomic_file_noted() || runs_absent(program->runs, &ignored))
-        return; /* no verdict: its runs were interrupted */
+    if (output_noted() || runs_absent(program->runs, &ignored)) return; /* no verdict: its runs were interrupted */
     result->executed = 1;
 #pragma omp critical(gates_row)
     {

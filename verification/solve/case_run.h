@@ -24,7 +24,7 @@ struct case_run {
 };
 
 /* Returns the status of process_run, or STATUS_INPUT if the directory cannot be written; *code is the exit status,
- * -1 if there is none. *scratch is the program's TMPDIR; the caller holds interrupts (text/atomic_file.h). */
+ * -1 if there is none. *scratch is the program's TMPDIR; the caller holds interrupts (text/output.h). */
 int case_run(const struct case_run *c, struct scratch *scratch, int *code, struct failure *why);
 
 /* The exit status recorded in `dir`; -1 for none. */

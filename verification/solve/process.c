@@ -5,7 +5,7 @@
 
 #include "solver/status.h"
 #include "verification/solve/scratch.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/utf8.h"
 
 #include <errno.h>
@@ -161,7 +161,7 @@ static enum end follow(struct running *r) {
     for (;;) {
         look(r, PATIENCE);
         if (r->reaped && r->life[READ] < 0) return ENDED;
-        if (atomic_file_noted()) return INTERRUPTED;
+        if (output_noted()) return INTERRUPTED;
         if (r->reaped && omp_get_wtime() > r->end + GRACE) return LEFT_OTHERS;
         if (r->process->timeout > 0 && omp_get_wtime() > r->start + r->process->timeout) return TIMED_OUT;
     }
@@ -179,7 +179,7 @@ static int judge(const struct running *r, enum end end, struct failure *why) {
     const char *says = *r->last ? "; it said last: " : "";
     int status = r->status;
     if (end == INTERRUPTED)
-        return refuse(why, STATUS_NUMERICAL, "--solver: interrupted by signal %d", atomic_file_noted());
+        return refuse(why, STATUS_NUMERICAL, "--solver: interrupted by signal %d", output_noted());
     if (end == TIMED_OUT)
         return refuse(why, STATUS_NUMERICAL, "--solver: not done after %g s (--timeout)%s%.160s", r->process->timeout,
                       says, r->last);

@@ -19,7 +19,7 @@ struct process {
 };
 
 /* Returns when the program and all its children have ended, by themselves or because of this call: after the
- * timeout, at an interrupt (the caller holds them: text/atomic_file.h), or as background processes left by the
+ * timeout, at an interrupt (the caller holds them: text/output.h), or as background processes left by the
  * program.  STATUS_OK: exit status 0.  STATUS_SKIPPED: 77, the program declines the case.  STATUS_INPUT: it could
  * not be run.  STATUS_NUMERICAL: any other end. *why has the reason and the last line that it printed. */
 int process_run(const struct process *p, struct failure *why);

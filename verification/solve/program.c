@@ -15,7 +15,6 @@
 #include "verification/solve/results.h"
 #include "verification/solve/runs.h"
 #include "verification/solve/scratch.h"
-#include "verification/text/atomic_file.h"
 #include "verification/text/output.h"
 #include "verification/text/shell.h"
 
@@ -189,13 +188,13 @@ static int solve_now(const struct program *g, const struct scene *s, const struc
                      struct field *f, struct failure *why) {
     struct scratch scratch;
     if (program_check(g, why)) return why->status;
-    atomic_file_hold();
+    output_hold();
     int status = scratch_open(&scratch, why);
     if (!status) {
         status = solve_at(g, s, p, o, &scratch, f, why);
         scratch_close(&scratch);
     }
-    atomic_file_release();
+    output_release();
     return status;
 }
 

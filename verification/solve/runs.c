@@ -4,7 +4,7 @@
 #include "verification/solve/runs.h"
 
 #include "solver/status.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/progress.h"
 
 #include <omp.h>
@@ -80,11 +80,11 @@ static void show(const struct runs *r, const char *row, const char *dx) {
 
 /* Call with the lock held.  Returns 1 if no further case is to be run. */
 static int is_over(const struct runs *r, struct failure *why) {
-    if (atomic_file_noted())
-        refuse(why, STATUS_NUMERICAL, "--solver: interrupted by signal %d", atomic_file_noted());
+    if (output_noted())
+        refuse(why, STATUS_NUMERICAL, "--solver: interrupted by signal %d", output_noted());
     else if (r->absent)
         *why = r->absence;
-    return atomic_file_noted() || r->absent;
+    return output_noted() || r->absent;
 }
 
 /* Whether the same case is already running: its end is awaited without a turn. */

@@ -3,7 +3,7 @@
 #include "verification/text/whole_file.h"
 
 #include "solver/status.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -36,7 +36,7 @@ char *whole_file_read(FILE *in, size_t *size) {
     char *text = xcalloc(room, 1);
     while ((got = fread(text + used, 1, room - used - 1, in)) > 0) {
         used += got;
-        if (memchr(text + used - got, '\0', got) || atomic_file_noted()) break;
+        if (memchr(text + used - got, '\0', got) || output_noted()) break;
         if (used + 1 == room) text = xgrow(text, used, room *= 2, 1);
     }
     if (size) *size = used;

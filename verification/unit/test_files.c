@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files are written whole or not at all, and read whole. */
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/whole_file.h"
 
 #include "solver/status.h"
@@ -15,9 +15,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
 
 struct place {
     char directory[UNIT_PATH], path[UNIT_PATH + 32];
@@ -25,8 +32,19 @@ struct place {
         refusal[UNIT_PATH + 96]; /* a file in a directory that does not exist, and its refusal */
 };
 
-static int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why) {
-    return atomic_file_write_all(&(struct atomic_file){path, bytes, size}, 1, why);
+struct part {
+    const char *path, *bytes;
+    size_t size;
+};
+
+static int write_all(const struct part *part, int count, struct failure *why) {
+    struct output page[3];
+    for (int i = 0; i < count; i++) fwrite(part[i].bytes, 1, part[i].size, output_open(&page[i], "%s", part[i].path));
+    return output_close(page, count, why);
+}
+
+static int write_one(const char *path, const char *text, struct failure *why) {
+    return write_all(&(struct part){path, text, strlen(text)}, 1, why);
 }
 
 static int set_up(void **state) {
@@ -66,8 +84,8 @@ static void files_are_written_and_replaced(void **state) {
     const struct place *p = *state;
     struct failure why;
     char text[32];
-    assert_int_equal(atomic_file_write(p->path, "first, longer", 13, &why), STATUS_OK);
-    assert_int_equal(atomic_file_write(p->path, "second", 6, &why), STATUS_OK);
+    assert_int_equal(write_one(p->path, "first, longer", &why), STATUS_OK);
+    assert_int_equal(write_one(p->path, "second", &why), STATUS_OK);
     read_back(p->path, text, sizeof text);
     assert_string_equal(text, "second");
     assert_int_equal(entries(p->directory), 1);
@@ -77,9 +95,9 @@ static void replacing_keeps_permissions(void **state) {
     const struct place *p = *state;
     struct failure why;
     struct stat s;
-    assert_int_equal(atomic_file_write(p->path, "first", 5, &why), STATUS_OK);
+    assert_int_equal(write_one(p->path, "first", &why), STATUS_OK);
     assert_int_equal(chmod(p->path, 0640), 0);
-    assert_int_equal(atomic_file_write(p->path, "second", 6, &why), STATUS_OK);
+    assert_int_equal(write_one(p->path, "second", &why), STATUS_OK);
     assert_int_equal(stat(p->path, &s), 0);
     assert_int_equal(s.st_mode & 0777, 0640);
 }
@@ -88,23 +106,22 @@ static void checking_a_path_changes_no_file(void **state) {
     const struct place *p = *state;
     struct failure why;
     char text[32];
-    assert_int_equal(atomic_file_check(p->path, &why), STATUS_OK);
+    assert_int_equal(output_check(p->path, &why), STATUS_OK);
     assert_int_equal(entries(p->directory), 0);
-    assert_int_equal(atomic_file_write(p->path, "kept", 4, &why), STATUS_OK);
-    assert_int_equal(atomic_file_check(p->path, &why), STATUS_OK);
+    assert_int_equal(write_one(p->path, "kept", &why), STATUS_OK);
+    assert_int_equal(output_check(p->path, &why), STATUS_OK);
     read_back(p->path, text, sizeof text);
     assert_string_equal(text, "kept");
-    assert_int_equal(atomic_file_check(NULL, &why), STATUS_OK);
+    assert_int_equal(output_check(NULL, &why), STATUS_OK);
 }
 
 static void unwritable_places_are_refused(void **state) {
     const struct place *p = *state;
     struct failure why = {0};
-    assert_int_equal(atomic_file_check(p->nowhere, &why), STATUS_INPUT);
+    assert_int_equal(write_one(p->nowhere, "x", &why), STATUS_INPUT);
     assert_string_equal(why.text, p->refusal);
-    assert_int_equal(atomic_file_write(p->nowhere, "x", 1, &why), STATUS_INPUT);
-    assert_int_equal(atomic_file_check(p->directory, &why), STATUS_INPUT);
-    assert_int_equal(atomic_file_write(p->directory, "x", 1, &why), STATUS_INPUT);
+    assert_int_equal(output_check(p->directory, &why), STATUS_INPUT);
+    assert_int_equal(write_one(p->directory, "x", &why), STATUS_INPUT);
     assert_int_equal(entries(p->directory), 0);
 }
 
@@ -113,13 +130,13 @@ static void several_files_are_all_written_or_none(void **state) {
     struct failure why;
     char other[UNIT_PATH + 32], text[32];
     snprintf(other, sizeof other, "%s/other.csv", p->directory);
-    const struct atomic_file both[] = {{p->path, "one", 3}, {other, "two", 3}, {"/dev/null", "x", 1}};
-    assert_int_equal(atomic_file_write_all(both, 3, &why), STATUS_OK);
+    const struct part both[] = {{p->path, "one", 3}, {other, "two", 3}, {"/dev/null", "x", 1}};
+    assert_int_equal(write_all(both, 3, &why), STATUS_OK);
     read_back(other, text, sizeof text);
     unlink(other);
     assert_string_equal(text, "two");
-    const struct atomic_file bad[] = {{p->path, "new", 3}, {p->nowhere, "x", 1}, {other, "y", 1}};
-    assert_int_equal(atomic_file_write_all(bad, 3, &why), STATUS_INPUT);
+    const struct part bad[] = {{p->path, "new", 3}, {p->nowhere, "x", 1}, {other, "y", 1}};
+    assert_int_equal(write_all(bad, 3, &why), STATUS_INPUT);
     assert_string_equal(why.text, p->refusal);
     read_back(p->path, text, sizeof text);
     assert_string_equal(text, "one");
@@ -132,9 +149,9 @@ static void writing_through_a_link_keeps_the_link(void **state) {
     struct stat s;
     char link[UNIT_PATH + 32], text[32];
     snprintf(link, sizeof link, "%s/link", p->directory);
-    assert_int_equal(atomic_file_write(p->path, "old", 3, &why), STATUS_OK);
+    assert_int_equal(write_one(p->path, "old", &why), STATUS_OK);
     assert_int_equal(symlink("out.json", link), 0);
-    assert_int_equal(atomic_file_write(link, "new", 3, &why), STATUS_OK);
+    assert_int_equal(write_one(link, "new", &why), STATUS_OK);
     assert_int_equal(lstat(link, &s), 0);
     unlink(link);
     assert_true(S_ISLNK(s.st_mode));
@@ -146,19 +163,19 @@ static void writing_to_a_device_keeps_the_device(void **state) {
     (void)state;
     struct failure why;
     struct stat s;
-    assert_int_equal(atomic_file_check("/dev/null", &why), STATUS_OK);
-    assert_int_equal(atomic_file_write("/dev/null", "x", 1, &why), STATUS_OK);
+    assert_int_equal(output_check("/dev/null", &why), STATUS_OK);
+    assert_int_equal(write_one("/dev/null", "x", &why), STATUS_OK);
     assert_int_equal(stat("/dev/null", &s), 0);
     assert_true(S_ISCHR(s.st_mode));
 }
 
 /* In a process with running threads: writes a file, then more than a pipe holds before it is read. */
-static void write_with_threads(const struct atomic_file *files) {
+static void write_with_threads(const struct part *files) {
     struct failure why;
     int threads = 0;
 #pragma omp parallel num_threads(2) reduction(+ : threads)
     threads++;
-    _exit(threads == 2 ? atomic_file_write_all(files, 2, &why) : STATUS_NUMERICAL);
+    _exit(threads == 2 ? write_all(files, 2, &why) : STATUS_NUMERICAL);
 }
 
 /* Once the pipe is open the file's part is there, and the writer waits for a reader: the signal comes amid the
@@ -170,7 +187,7 @@ static void signals_wait_for_a_complete_file(void **state) {
     char pipe[UNIT_PATH + 32], text[32], *much = calloc(MUCH, 1);
     snprintf(pipe, sizeof pipe, "%s/pipe", p->directory);
     assert_int_equal(mkfifo(pipe, 0600), 0);
-    const struct atomic_file files[] = {{p->path, "whole", 5}, {pipe, much, MUCH}};
+    const struct part files[] = {{p->path, "whole", 5}, {pipe, much, MUCH}};
     for (int i = 0; i < 3; i++) {
         int status;
         ssize_t n, all = 0;
@@ -193,6 +210,82 @@ static void signals_wait_for_a_complete_file(void **state) {
     }
     unlink(pipe);
     free(much);
+}
+
+/* Directories of a path that are not there are made; a file in the place of one is refused. */
+static void missing_directories_are_made(void **state) {
+    const struct place *p = *state;
+    char path[UNIT_PATH + 48], wanted[UNIT_PATH + 96];
+    struct failure why = {0};
+    snprintf(path, sizeof path, "%s/a/b/c", p->directory);
+    for (int again = 0; again < 2; again++) assert_int_equal(output_check(path, &why), STATUS_OK);
+    assert_int_equal(write_one(path, "x", &why), STATUS_OK);
+    snprintf(wanted, sizeof wanted, "%s/d", path);
+    assert_int_equal(output_check(wanted, &why), STATUS_INPUT);
+    snprintf(wanted, sizeof wanted, "cannot write '%s/d': Not a directory", path);
+    assert_string_equal(why.text, wanted);
+    snprintf(wanted, sizeof wanted, "%s/d/e", path);
+    assert_int_equal(output_folders(wanted, &why), STATUS_INPUT);
+    snprintf(wanted, sizeof wanted, "cannot make the directory '%s/d': Not a directory", path);
+    assert_string_equal(why.text, wanted);
+    for (int k = 0; k < 3; k++) {
+        remove(path);
+        *strrchr(path, '/') = '\0';
+    }
+    assert_int_equal(entries(p->directory), 0);
+}
+
+/* What is printed goes to standard error once a file has taken standard output. */
+static void a_dash_is_standard_output(void **state) {
+    const struct place *p = *state;
+    struct failure why = {0};
+    char other[UNIT_PATH + 32], text[32];
+    int status;
+    snprintf(other, sizeof other, "%s/other", p->directory);
+    pid_t child = fork();
+    if (child == 0) {
+        if (!freopen(p->path, "w", stdout) || !freopen(other, "w", stderr)) _exit(99);
+        printf("before\n");
+        status = output_check("-", &why);
+        printf("after\n");
+        status |= write_one("-", "the file\n", &why) | (output_check("-", &why) != STATUS_INPUT);
+        fflush(stdout);
+        _exit(status);
+    }
+    waitpid(child, &status, 0);
+    assert_int_equal(status, 0);
+    read_back(p->path, text, sizeof text);
+    assert_string_equal(text, "before\nthe file\n");
+    read_back(other, text, sizeof text);
+    assert_string_equal(text, "after\n");
+    unlink(other);
+    assert_int_equal(access("-", F_OK), -1);
+}
+
+/* In a process limited to 64 MB: 256 MB of lines.  glibc's open_memstream drops data without an error if memory is
+ * exhausted. */
+static void write_much(void) {
+    enum { ROOM = 64 << 20 };
+    struct output page;
+    struct failure why;
+    struct rlimit limit = {ROOM, ROOM};
+    if (!freopen("/dev/null", "w", stderr) || setrlimit(RLIMIT_DATA, &limit)) _exit(99);
+    FILE *out = output_open(&page, "/dev/null");
+    for (int i = 0; i < ROOM / 16; i++) fprintf(out, "%063d\n", i);
+    _exit(output_close(&page, 1, &why));
+}
+
+static void out_of_memory_writes_nothing(void **state) {
+    (void)state;
+#ifdef __SANITIZE_ADDRESS__
+    skip(); /* it has an allocator of its own */
+#endif
+    int status;
+    pid_t child = fork();
+    if (child == 0) write_much();
+    waitpid(child, &status, 0);
+    assert_true(WIFEXITED(status));
+    assert_int_equal(WEXITSTATUS(status), STATUS_NUMERICAL);
 }
 
 /* ---- Reading ---- */
@@ -255,6 +348,9 @@ int main(void) {
         cmocka_unit_test_setup_teardown(writing_through_a_link_keeps_the_link, set_up, tear_down),
         cmocka_unit_test(writing_to_a_device_keeps_the_device),
         cmocka_unit_test_setup_teardown(signals_wait_for_a_complete_file, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(missing_directories_are_made, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_dash_is_standard_output, set_up, tear_down),
+        cmocka_unit_test(out_of_memory_writes_nothing),
         cmocka_unit_test(files_of_every_length_are_read),
         cmocka_unit_test(reading_stops_at_a_nul_byte),
         cmocka_unit_test(unreadable_files_give_the_reason),
