@@ -40,6 +40,7 @@ static void bounds_of(int line, const struct experiment *e, struct gate *g) {
     case __LINE__:                                                                                                   \
         g->lo = low, g->hi = high, g->ceiling = limit;                                                               \
         return;
+#include "verification/gates/gates.def"
 #undef GATE
     default:
         g->lo = g->hi = g->ceiling = NAN * dx;
