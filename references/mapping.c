@@ -2,6 +2,7 @@
 /* Transformations between a scene and its image. */
 #include "references/mapping.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -77,6 +78,12 @@ double mapping_temperature(const struct mapping *m, double T) {
     return mapping_scale(m) * T + m->offset;
 }
 
+/* The product and the sum each round by half an ulp; the identity is exact. */
+double mapping_bound(const struct mapping *m, double T, double bound) {
+    double scale = mapping_scale(m), product = fabs(scale * T), sum = fabs(mapping_temperature(m, T));
+    return scale * bound + DBL_EPSILON / 2 * ((scale != 1) * product + (m->offset != 0) * sum);
+}
+
 double mapping_temperature_back(const struct mapping *m, double T) {
     return (T - m->offset) / mapping_scale(m);
 }
@@ -143,6 +150,8 @@ static void image_axis(struct image *image, int a) {
     of->mirror[a] = p->mirror[from];
     of->jumps[a] = n;
     for (int j = 0; j < n; j++) of->jump[a][j] = against ? 0 - p->jump[from][n - 1 - j] : p->jump[from][j];
+    of->kinked[a] = p->kinked[from];
+    of->kink[a] = against ? 0 - p->kink[from] : p->kink[from];
     for (int i = 0; i < p->materials; i++) of->material[i].k[a] = p->material[i].k[from];
     for (int s = 2 * a; s < 2 * a + 2 && !p->shape; s++) { /* the walls of a round body do not depend on the axes */
         of->side[s] = p->side[mapping_side(&image->map, (enum side)s)];

@@ -47,7 +47,9 @@ void mapping_to_scene(const struct mapping *m, int dim, const double *x, double 
 void mapping_to_case(const struct mapping *m, int dim, const double *x, double to[DIM_MAX]);
 
 double mapping_scale(const struct mapping *m);
-double mapping_temperature(const struct mapping *m, double T);      /* scene to case */
+double mapping_temperature(const struct mapping *m, double T); /* scene to case */
+/* K: error bound of mapping_temperature(m, T) for a T with that bound, with the rounding of scale and offset. */
+double mapping_bound(const struct mapping *m, double T, double bound);
 double mapping_temperature_back(const struct mapping *m, double T); /* case to scene */
 
 struct image {

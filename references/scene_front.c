@@ -14,7 +14,8 @@
  * The second form is the first integral of the wave, rho_c c T = k dT/dxi: the distance of the temperature T from the
  * front is xi(T) = integral of k/(rho_c c T) from 0 to T, by Gauss's rule, and the root of xi(T) = xi by bisection.
  *
- * Restrictions: n is a whole number from 1 to 6. */
+ * Restrictions: n is a whole number from 1 to 6; T from 1e-30 to 1e30 K at x = 0, so that k_0 T^(n+1) is
+ * representable down to a thousandth of T. */
 #include "references/kirchhoff.h"
 #include "references/params.h"
 
@@ -91,9 +92,13 @@ static int setup(struct problem *p, struct failure *why) {
     p->hi[0] = p->param[L];
     p->k_law = K_POWER;
     p->k_0 = p->param[K_0], p->k_n = p->param[N];
-    double most = kirchhoff_k(p, temperature(p, behind(p, 0, p->t_end)));
+    double hottest = temperature(p, behind(p, 0, p->t_end)), most = kirchhoff_k(p, hottest);
+    if (!(hottest >= 1e-30 && hottest <= 1e30))
+        return refuse(why, STATUS_INPUT, "--set k_0=%g: needs a temperature from 1e-30 to 1e30 K at x = 0, not %g K",
+                      p->k_0, hottest);
     params_material(p, most, most, p->param[RHO_C]);
     p->initial = initial;
+    p->kinked[0] = p->param[X0] < p->hi[0], p->kink[0] = p->param[X0];
     p->wall = wall;
     p->wall_rate = wall_rate;
     return STATUS_OK;

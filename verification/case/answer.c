@@ -13,44 +13,12 @@ void answer_times(double from, double to, int count, double *time) {
     for (int k = 0; k < count; k++) time[k] = from + (to - from) * k / (count - 1);
 }
 
-/* Columns that depend on time in some scenes only. */
-static int depends_on_time(const struct problem *p, const char *column) {
-    if (strcmp(column, "source") == 0) return p->source_rate || p->source_at;
-    return p->wall_rate && (strncmp(column, "wall", 4) == 0 || strcmp(column, "nearest") == 0);
-}
-
 int answer_check(const struct answer *a, struct failure *why) {
-    for (int i = 0; i < a->columns.count; i++) {
-        const struct columns_kind *kind = a->columns.kind[i];
-        if (kind->needs_time && a->times == 0)
-            return refuse(why, STATUS_INPUT, "--what %s needs --time T[,T...], in s", kind->name);
-        if (a->times == 0 && depends_on_time(&a->image->problem, kind->name))
-            return refuse(why, STATUS_INPUT, "--what %s depends on time here and needs --time T[,T...], in s",
-                          kind->name);
-        if (kind->needs_cell && !a->points.cell && !(a->cell > 0))
-            return refuse(
-                why, STATUS_INPUT,
-                "--what %s needs the cell around each point: columns dx, dy and dz of the points, or --dx DX",
-                kind->name);
-        for (int k = 0; k < a->times && strncmp(kind->name, "flux", 4) == 0; k++)
-            if (a->time[k] == 0)
-                return refuse(why, STATUS_INPUT,
-                              "--time 0: --what %s needs a time > 0, at which the gradient is finite", kind->name);
-    }
-    return STATUS_OK;
+    int has_cell = a->points.cell || a->cell > 0;
+    return columns_check(&a->columns, &a->image->problem, a->times, a->time, has_cell, why);
 }
 
-enum { BLOCK = 4096 }; /* points per evaluation of the exact solution, since lattice points share work */
-
-static void exact_of(const struct answer *a, const struct snapshot *now, size_t first, size_t n, struct exact *e) {
-    double *x = xcalloc(3 * n, sizeof *x), *y = x + n, *z = y + n, at[DIM_MAX];
-    for (size_t i = 0; i < n; i++) {
-        mapping_to_scene(&a->image->map, a->points.dim, a->points.x[first + i], at);
-        x[i] = at[0], y[i] = at[1], z[i] = at[2];
-    }
-    snapshot_at_points(now, n, x, y, z, e);
-    free(x);
-}
+enum { BLOCK = 4096 }; /* points per evaluation, since lattice points share work */
 
 static char *put(char *at, const char *text, size_t length) {
     memcpy(at, text, length);
@@ -75,8 +43,7 @@ static char *put_row(const struct answer *a, double time, size_t i, const double
 
 /* Maximum number of characters in the lines of n points. */
 static size_t room(const struct answer *a, size_t first, size_t n) {
-    int numbers = a->points.dim + 1;
-    for (int i = 0; i < a->columns.count; i++) numbers += columns_count(a->columns.kind[i], a->points.dim);
+    int numbers = a->points.dim + 1 + a->columns.values;
     size_t letters = n * (size_t)numbers * (NUMBER_PRINTED + 1);
     for (size_t i = first; i < first + n; i++)
         for (int d = 0; d < a->points.dim; d++) letters += (size_t)a->points.typed[i][d].length;
@@ -90,17 +57,17 @@ struct text {
 
 static struct text write_block(const struct answer *a, const struct snapshot *now, size_t block) {
     size_t first = block * BLOCK, left = a->points.n - first, n = left < BLOCK ? left : BLOCK;
-    const double same[DIM_MAX] = {a->cell, a->cell, a->cell};
-    struct exact *exact = a->columns.needs_time ? xcalloc(n, sizeof *exact) : NULL;
-    double value[COLUMNS_VALUES];
+    const int count = a->columns.values;
+    double *value = xcalloc(n * (size_t)count, sizeof *value);
+    double(*same)[DIM_MAX] = a->points.cell ? NULL : xcalloc(n, sizeof *same);
     char *text = xcalloc(room(a, first, n), 1), *at = text;
-    if (exact) exact_of(a, now, first, n, exact);
-    for (size_t i = 0; i < n; i++) {
-        const double *x = a->points.x[first + i], *cell = a->points.cell ? a->points.cell[first + i] : same;
-        int count = columns_values(&a->columns, a->image, now->time, x, cell, exact ? &exact[i] : NULL, value);
-        at = put_row(a, now->time, first + i, value, count, at);
-    }
-    free(exact);
+    for (size_t i = 0; i < n && same; i++)
+        for (int d = 0; d < DIM_MAX; d++) same[i][d] = a->cell;
+    columns_at_points(&a->columns, a->image, now, n, a->points.x + first, same ? same : a->points.cell + first,
+                      value);
+    for (size_t i = 0; i < n; i++) at = put_row(a, now->time, first + i, value + i * (size_t)count, count, at);
+    free(value);
+    free(same);
     return (struct text){text, (size_t)(at - text)};
 }
 
@@ -126,7 +93,7 @@ void answer_write(const struct answer *a, FILE *out) {
     static const char *const coordinates[] = {"", "x", "x,y", "x,y,z"};
     char header[COLUMNS_HEADER];
     columns_header(&a->columns, header);
-    fprintf(out, "%s%s%s\n", coordinates[a->points.dim], a->times > 1 ? ",time" : "", header);
+    fprintf(out, "%s%s,%s\n", coordinates[a->points.dim], a->times > 1 ? ",time" : "", header);
     if (a->times == 0) write_points(a, 0, out);
     for (int k = 0; k < a->times && !ferror(out); k++) write_points(a, a->time[k], out);
 }

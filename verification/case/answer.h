@@ -2,8 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_CASE_ANSWER_H
 #define HEATLADDER_VERIFICATION_CASE_ANSWER_H
 
+#include "references/columns.h"
 #include "references/mapping.h"
-#include "verification/case/columns.h"
 #include "verification/case/points.h"
 
 struct scene;

@@ -5,12 +5,47 @@
 #include "solver/words.h"
 #include "verification/case/case_file.h"
 #include "verification/solve/program.h"
-#include "verification/case/columns.h"
 #include "verification/cli/verb.h"
 
 #include "version.inc"
 
 #include <string.h>
+
+static const char columns_help[] =
+    "LIST is one or more of these, separated by commas (SI units):\n"
+    "  temperature         the exact solution; nan where it has no value (a corner of two different temperatures)\n"
+    "  error_bound         bound of its error by truncation and rounding\n"
+    "  flux_x flux_y flux_z   -k_x dT/dx, ..., at a time > 0; at an interface, of the upper material\n"
+    "  initial             the initial temperature; on a jump, the value of the closed piece\n"
+    "  initial_mean        its average over the cell around the point, clipped to the body; columns dx, dy and dz "
+    "of\n"
+    "                      the points give the extents of the cell (without dy: dy = dx), else --dx for all.  Where\n"
+    "                      two materials share the cell, the temperature that keeps its heat: the integral of\n"
+    "                      rho_c T over that of rho_c\n"
+    "  source k_x k_y k_z rho_c   of the equation; at an interface, of the upper material\n"
+    "  wall                three columns, wall_kind, wall_value and wall_b.  Kind 0: not on a side; 1 (Dirichlet):\n"
+    "                      T = value; 2 (Neumann): k dT/dn = value, the flux into the body; 3 (Robin):\n"
+    "                      k dT/dn = b (value - T).  In a corner: the side of the lowest kind; the mean of\n"
+    "                      different temperatures; else the first of the sides across x, y, z\n"
+    "  nearest             the nearest wall: its nearest point and outward normal there (nearest_x, nearest_y,\n"
+    "                      normal_x, normal_y), the distance, and kind, value and b as for wall; nan without walls\n"
+    "  wall_x wall_y wall_z   as wall, for the sides across x, y or z only: a corner gives all\n"
+    "--points: CSV with the header x (x,y or x,y,z) and one point a line; other columns are ignored; - is standard "
+    "input.\n"
+    "Each line of the answer repeats the coordinates as typed (a point within 1e-9 extents of a side moves onto\n"
+    "it), then `time` if several are given (all points of the first time come first), then the columns with 17\n"
+    "digits.  Columns that do not depend on time need no --time; source, wall and nearest need it in a scene\n"
+    "where they change.\n"
+    "\n"
+    "Initial values for your code:\n"
+    "  your unknowns are       use             at                          with the cell\n"
+    "  cell averages           initial_mean    the centre of each cell     that cell\n"
+    "  values at nodes         initial_mean    each node                   half-way to its neighbours\n"
+    "  particles               initial_mean    each particle               its volume, m/rho\n"
+    "  nodes of elements       initial         each node, or, where data   -\n"
+    "                                          jump, the points of the\n"
+    "                                          quadrature of rho_c T v\n"
+    "An interface or a jump may cut a cell.  At a node or corner on a side, the cell is its part in the domain.\n";
 
 enum { WIDE = 100 }; /* characters per line */
 

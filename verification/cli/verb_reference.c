@@ -29,8 +29,8 @@ static const struct option own[] = {
     {"points", "FILE", "CSV of points x, x,y or x,y,z, m; - for standard input", option_text, PLACE(points)},
     {"what", "LIST", "columns to print at each point, separated by commas; default temperature", option_text,
      PLACE(what)},
-    {"dx", "DX", "extent of the cell around each point, m, for initial_mean and initial_heat", option_number,
-     PLACE(cell), OPTION_POSITIVE},
+    {"dx", "DX", "extent of the cell around each point, m, for initial_mean", option_number, PLACE(cell),
+     OPTION_POSITIVE},
     {"json", NULL, "JSON instead of text", option_flag, PLACE(json)},
     {0}};
 
@@ -84,8 +84,8 @@ static void print_forms(const struct reference_options *r) {
     mapping_to_scene(m, p->dim, r->command.at.value, x);
     struct forms f = {scene_exact(s, p, x, t), s->second(p, x, t), s->published ? s->published(p, x, t) : 0};
     for (struct exact *e = &f.exact;; e = &f.second) {
+        e->error_bound = mapping_bound(m, e->temperature, e->error_bound);
         e->temperature = mapping_temperature(m, e->temperature);
-        e->error_bound *= mapping_scale(m);
         if (e == &f.second) break;
     }
     f.published = mapping_temperature(m, f.published);
@@ -137,6 +137,10 @@ static int act(const void *options, struct failure *why) {
     if (check(r, why)) return why->status;
     mapping_image(&c->experiment.program.map, &c->experiment.problem, &image);
     if (columns_parse(r->what ? r->what : "temperature", image.problem.dim, &a.columns, why)) return why->status;
+    for (int i = 0; i < a.columns.count; i++)
+        if (a.columns.kind[i]->renamed)
+            fprintf(stderr, "heatladder: --what %s is now called %s; the old word ends with 5.0\n",
+                    a.columns.kind[i]->name, a.columns.kind[i]->renamed);
     if (read_points(r, &image.problem, &a.points, why)) return why->status;
     double *time = list_times(c, &a.times);
     a.time = time;

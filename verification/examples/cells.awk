@@ -64,7 +64,7 @@ function question(path, times, what) {
 }
 
 function ask_scene(path,    command, c, line, word, first, d) {
-    what = "initial_heat,source,rho_c,k_x,wall_x" (dim == 2 ? ",k_y,wall_y" : "")
+    what = "initial_mean,source,rho_c,k_x,wall_x" (dim == 2 ? ",k_y,wall_y" : "")
     command = question(path, "0", what)
     command | getline line
     for (c = 0; c < points; c++) {

@@ -150,7 +150,7 @@ static void ask_scene(const char *path) {
     static const char *const axes[] = {"", "k_x,wall_x", "k_x,wall_x,k_y,wall_y",
                                        "k_x,wall_x,k_y,wall_y,k_z,wall_z"};
     char what[80];
-    snprintf(what, sizeof what, "initial_heat,source,rho_c,%s", axes[dim]);
+    snprintf(what, sizeof what, "initial_mean,source,rho_c,%s", axes[dim]);
     FILE *answers = ask(path, "0", what);
     for (struct point *p = point; p < point + points; p++) {
         for (int d = 0; d < dim; d++) next_number(answers); /* the point */

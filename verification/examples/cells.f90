@@ -105,8 +105,8 @@ contains
         allocate (k(2, 0:n(1) + 1, 0:n(2) + 1), kind_of(2, 0:n(1) + 1, 0:n(2) + 1))
         allocate (value(2, 0:n(1) + 1, 0:n(2) + 1), b(2, 0:n(1) + 1, 0:n(2) + 1))
         T = 0
-        if (dim == 1) call ask('0', 'initial_heat,source,rho_c,k_x,wall_x')
-        if (dim == 2) call ask('0', 'initial_heat,source,rho_c,k_x,wall_x,k_y,wall_y')
+        if (dim == 1) call ask('0', 'initial_mean,source,rho_c,k_x,wall_x')
+        if (dim == 2) call ask('0', 'initial_mean,source,rho_c,k_x,wall_x,k_y,wall_y')
         do j = first_row, last_row
             do i = 0, n(1) + 1
                 read (unit, *) place, T(i, j), source(i, j), rho_c(i, j), wall

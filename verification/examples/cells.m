@@ -63,14 +63,14 @@ if dim == 1
     in_y = 1;
     shape = [n(1) + 2, 1];
     write_rows([args{2} '.points'], 'x,dx', [points, repmat(width, rows(points), 1)]);
-    scene = ask(field.oracle, [args{2} '.points'], '0', 'initial_heat,source,rho_c,k_x,wall_x', 8);
+    scene = ask(field.oracle, [args{2} '.points'], '0', 'initial_mean,source,rho_c,k_x,wall_x', 8);
 else
     [x, y] = ndgrid(axis_points(1), axis_points(2));
     points = [x(:), y(:)];
     in_y = 2:n(2) + 1;
     shape = n + 2;
     write_rows([args{2} '.points'], 'x,y,dx,dy', [points, repmat(width, rows(points), 1)]);
-    what = 'initial_heat,source,rho_c,k_x,wall_x,k_y,wall_y';
+    what = 'initial_mean,source,rho_c,k_x,wall_x,k_y,wall_y';
     scene = ask(field.oracle, [args{2} '.points'], '0', what, 13);
 end
 column = @(i) reshape(scene(:, dim + i), shape);

@@ -66,7 +66,7 @@ def on_side(e, d):
 cells = [c for c in range(len(points)) if not any(on_side(c, d) for d in range(dim))]
 
 reference = Reference(case["oracle"], sys.argv[2] + ".points", points, width)
-what = "initial_heat,source,rho_c" + "".join([f",k_{axis},wall_{axis}" for axis in "xyz"[:dim]])
+what = "initial_mean,source,rho_c" + "".join([f",k_{axis},wall_{axis}" for axis in "xyz"[:dim]])
 scene = reference.ask("0", what)
 T = [values[0] for values in scene]
 source = [values[1] for values in scene]

@@ -130,8 +130,8 @@ static FILE *ask(const char *path, const char *times, const char *what) {
 }
 
 static void ask_scene(const char *path, double *T) {
-    FILE *answers = ask(path, "0", dim == 2 ? "initial_heat,source,rho_c,k_x,wall_x,k_y,wall_y"
-                                            : "initial_heat,source,rho_c,k_x,wall_x");
+    FILE *answers = ask(path, "0", dim == 2 ? "initial_mean,source,rho_c,k_x,wall_x,k_y,wall_y"
+                                            : "initial_mean,source,rho_c,k_x,wall_x");
     for (int c = 0; c < points; c++) {
         struct point *p = &point[c];
         for (int d = 0; d < dim; d++) next_number(answers); /* the point */

@@ -57,7 +57,7 @@ with open(file, "w") as out:
     for point in cells + sum(faces.values(), []):
         print(*point, *h, sep=",", file=out)
 program = os.environ.get("HEATLADDER", "heatladder")
-words = [program, "reference", *case["oracle"].split(), "--points", file, "--what", "initial_heat,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else "")]
+words = [program, "reference", *case["oracle"].split(), "--points", file, "--what", "initial_mean,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else "")]
 run = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
 answer = run.stdout.splitlines()
 scene = [numbers(line)[dim:] for line in answer[1:]]

@@ -75,7 +75,7 @@ def k_of(T):
 
 # Across each axis: k, and for its faces the distance between the points on either side and, on the
 # frame, what the wall resists.
-T, source, rho_c = ask("initial_heat,source,rho_c")
+T, source, rho_c = ask("initial_mean,source,rho_c")
 k, kinds, distance, resists = [], [], [], []
 for d in range(dim):
     k_d, kind, value, b = ask(f"k_{'xy'[d]},wall_{'xy'[d]}")

@@ -2,7 +2,7 @@
 
 The nodes divide the body into boxes; each node has the part of the box around it, half-way to its
 neighbours, that is in the body.  A box of two materials has the heat capacity of both, and starts
-with the heat of both: `initial_heat`. The case file gives extents and the number of boxes;
+with the heat of both: `initial_mean`. The case file gives extents and the number of boxes;
 `heatladder reference` gives all else at the points asked for.
 $HEATLADDER is that program.  Only the standard library is used."""
 
@@ -105,7 +105,7 @@ def set_up(body):
 
 def solve(body):
     nodes, sides, volumes = set_up(body)
-    start = body.ask(nodes, "initial_heat,source" + ",wall", "0")
+    start = body.ask(nodes, "initial_mean,source" + ",wall", "0")
     T = [value if kind == 1 else heat for heat, source, kind, value, b in start]
     source = [values[1] for values in start]
     fastest = max((sum(g for _, g in links) + loss) / capacity for _, links, _, loss, _, capacity in volumes)

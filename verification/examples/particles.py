@@ -99,7 +99,7 @@ def mirrors(d, k, kind, value, b):
     return d, ghost, LAYERS + image, a, s
 
 
-T, source, rho_c = ask("initial_heat,source,rho_c")
+T, source, rho_c = ask("initial_mean,source,rho_c")
 k, ghosts = [], []
 for d in range(dim):
     k_d, kind, value, b = ask(f"k_{'xyz'[d]},wall_{'xyz'[d]}")

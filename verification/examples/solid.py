@@ -50,7 +50,7 @@ def ask(times, what):
     return [np.broadcast_to(layer, (len(layer), *(box + 2))) for layer in layers]
 
 
-T, source, rho_c = [column[0].copy() for column in ask("0", "initial_heat,source,rho_c")]
+T, source, rho_c = [column[0].copy() for column in ask("0", "initial_mean,source,rho_c")]
 inside = (slice(1, -1),) * 3
 
 

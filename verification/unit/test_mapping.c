@@ -3,7 +3,8 @@
 #include "references/kirchhoff.h"
 #include "references/mapping.h"
 #include "verification/case/case_file.h"
-#include "verification/case/columns.h"
+#include "references/columns.h"
+#include "references/snapshot.h"
 
 #include "verification/unit/odd_scenes.h"
 
@@ -117,11 +118,11 @@ static struct seen seen_at(const struct scene *s, const struct image *image, con
                                         "temperature,initial,source,rho_c,k_x,flux_x,wall_x,k_y,flux_y,wall_y"};
     struct columns c;
     struct failure why = {0};
-    double v[COLUMNS_VALUES] = {0}, at[DIM_MAX];
+    double v[COLUMNS_VALUES] = {0}, at[1][DIM_MAX] = {{x[0], image->problem.dim > 1 ? x[1] : 0}};
     if (columns_parse(what[image->problem.dim - 1], image->problem.dim, &c, &why)) fail_msg("%s", why.text);
-    mapping_to_scene(&image->map, image->problem.dim, x, at);
-    struct exact e = scene_exact(s, image->of, at, t);
-    columns_values(&c, image, t, x, NULL, &e, v);
+    struct snapshot now = snapshot_take(s, image->of, t);
+    columns_at_points(&c, image, &now, 1, at, NULL, v);
+    snapshot_free(&now);
     struct seen seen = {v[0], v[1], v[2], {v[4], v[9]}, v[3], {v[5], v[10]}, {{0}, {0}}};
     memcpy(seen.wall, v + 6, sizeof *seen.wall);
     memcpy(seen.wall[1], v + 11, sizeof *seen.wall);
@@ -237,11 +238,31 @@ static void k_of_an_image_is_that_of_the_scene(void **state) {
     }
 }
 
+/* A bound of a mapped temperature holds in long double: the offset takes digits that the scene's bound has. */
+static void bounds_hold_the_rounding_of_the_map(void **state) {
+    (void)state;
+    static const struct mapping maps[] = {{.offset = 1e6}, {.scale = 3.7}, {.scale = 0.013, .offset = -273.15}, {0}};
+    struct problem p;
+    const struct scene *s = odd_find("rod-gauss", &p);
+    double worst = 0;
+    for (size_t k = 0; k < sizeof maps / sizeof *maps; k++)
+        for (double x = -1; x < 1; x += 0.0137) {
+            struct exact e = scene_exact(s, &p, &x, 2);
+            double T = mapping_temperature(&maps[k], e.temperature),
+                   bound = mapping_bound(&maps[k], e.temperature, 0);
+            long double off = (long double)mapping_scale(&maps[k]) * e.temperature + maps[k].offset - T;
+            assert_true(fabsl(off) <= bound);
+            worst = fmax(worst, (double)fabsl(off));
+            assert_near(mapping_bound(&(struct mapping){0}, e.temperature, 1e-9), 1e-9, 0);
+        }
+    assert_order(worst, >, 1e-11); /* 1e6 K has steps of 1.2e-10 K */
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(words_are_read_as_they_are_printed), cmocka_unit_test(image_satisfies_its_equation),
-        cmocka_unit_test(k_of_an_image_is_that_of_the_scene), cmocka_unit_test(case_file_uses_its_own_axes),
-        cmocka_unit_test(maps_of_a_box_form_a_group),
+        cmocka_unit_test(bounds_hold_the_rounding_of_the_map), cmocka_unit_test(words_are_read_as_they_are_printed),
+        cmocka_unit_test(image_satisfies_its_equation),        cmocka_unit_test(k_of_an_image_is_that_of_the_scene),
+        cmocka_unit_test(case_file_uses_its_own_axes),         cmocka_unit_test(maps_of_a_box_form_a_group),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("mapping", tests, NULL, NULL);

@@ -49,6 +49,7 @@ static const struct refusal {
     {"ball-cooling", "b", 1e11, "b radius/k of 1e-12 to 1e12"},
     {"ball-mode", "m", 3, "whole number from 0 to 2"},
     {"front", "n", 2.5, "whole number from 1 to 6"},
+    {"front", "k_0", 1e250, "temperature from 1e-30 to 1e30 K"},
     {"wall-kirchhoff", "beta", -2, "k = k_0 (1 + beta (T - T_ref)) > 0 from 0.5 to 1.8 K"},
     {"wall-kirchhoff", "T1", 0.5, "other than T2=0.5"},
     {"plate-kirchhoff", "A", -0.1, "0 K or more"},

@@ -103,9 +103,9 @@ def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
 
     scene   a case, or the words of `heatladder reference`: "rod-gauss --set kappa=0.02"
     points  (n,) on a rod, (n, 2) in the plane, (n, 3) in space, m
-    what    columns separated by commas: temperature, initial_heat, source, k_x, rho_c, wall_x, ...
+    what    columns separated by commas: temperature, initial_mean, source, k_x, rho_c, wall_x, ...
     time    s
-    width   of the cell about each point, m, by axis: for means over cells (initial_heat, initial_mean)
+    width   of the cell about each point, m, by axis: for means over cells (initial_mean)
     """
     rows = _rows(points)
     if not rows:

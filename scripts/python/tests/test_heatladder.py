@@ -24,7 +24,7 @@ def solve(case, factor=1.0):
         raise heatladder.NotApplicable
     (lo,), (hi,), (n,), (dx,) = case.lo, case.hi, case.cells, case.width
     x = [lo + (i + 0.5) * dx for i in range(n)]
-    scene = heatladder.reference(case, [lo, *x, hi], "initial_heat,rho_c,k_x,wall_x", width=[dx])
+    scene = heatladder.reference(case, [lo, *x, hi], "initial_mean,rho_c,k_x,wall_x", width=[dx])
     T, rho_c, k, kind, value, b = (list(column) for column in scene.values())
     kappa = factor * k[0] / rho_c[0]
     coupling, flux = [], []  # of both walls, s^-1 and K s^-1
