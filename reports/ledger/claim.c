@@ -3,9 +3,7 @@
 #include "reports/ledger/claim.h"
 
 #include "verification/judge/command.h"
-#include "verification/judge/ladder.h"
 
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,16 +31,6 @@ void claim_decide(struct claims_measured *m, int as_published, int beyond, const
 int claim_fail(struct claims_measured *m, const char *text) {
     m->verdict = CLAIMS_UNMEASURED;
     snprintf(m->reason, sizeof m->reason, "%s", text);
-    return 1;
-}
-
-int claim_part(const char **rest, char *part, size_t size) {
-    const char *from = *rest + strspn(*rest, " ");
-    if (*from == '\0') return 0;
-    size_t length = strcspn(from, "|");
-    *rest = from + length + (from[length] == '|');
-    while (length > 0 && isspace((unsigned char)from[length - 1])) length--;
-    snprintf(part, size, "%.*s", (int)length, from);
     return 1;
 }
 
@@ -84,29 +72,6 @@ int claim_judge(int *held, struct claims_measured *m, const struct judged *l, do
     enum verdict v = judge_order(l, lo, hi, reason, sizeof reason);
     *held = v == VERDICT_PASS;
     return v == VERDICT_INCONCLUSIVE && claim_fail(m, reason);
-}
-
-int claim_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...) {
-    char line[400];
-    va_list arguments;
-    struct failure why;
-    struct command r;
-    struct ladder *l = xcalloc(1, sizeof *l);
-    va_start(arguments, command);
-    vsnprintf(line, sizeof line, command, arguments);
-    va_end(arguments);
-    int status = command_read(line, &r, &why);
-    if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
-    if (status) claim_fail(m, why.text);
-    *slope = l->slope.value;
-    if (!status && held) {
-        ladder_judge(l, band[0], band[1]);
-        *held = l->verdict == VERDICT_PASS;
-        status = l->verdict == VERDICT_INCONCLUSIVE && claim_fail(m, l->reason);
-    }
-    command_free(&r);
-    free(l);
-    return status != 0;
 }
 
 int claim_model(struct model_problem *b, struct step_limit *l, struct claims_measured *m, const char *command, ...) {

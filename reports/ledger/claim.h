@@ -25,10 +25,6 @@ void claim_decide(struct claims_measured *m, int as_published, int beyond, const
 /* Leaves *m unmeasured, with the reason; returns 1. */
 int claim_fail(struct claims_measured *m, const char *text);
 
-/* Copies the next part of an argument, without blanks at its ends; parts are separated by '|'.  Returns 0 if there
- * is none. */
-int claim_part(const char **rest, char *part, size_t size);
-
 /* command_run_line; with *m not NULL, a failure is *m's.  command_run_free in any case. */
 int claim_run(struct command_run *run, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
@@ -46,11 +42,6 @@ void claim_quote(struct claims_measured *m, const struct published *t, int row);
 /* Judges the order of errors that decrease with x against [lo, hi] by the rule of the gates (judge.h).  *held: 1 if
  * it passes.  Returns 0, or 1 with *m failed if the rungs are inconclusive. */
 int claim_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi);
-
-/* Judges the order of E1 over "ladder ..." in the same way; *slope: the fitted order.  No verdict if held is
- * NULL. */
-int claim_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...)
-    __attribute__((format(printf, 5, 6)));
 
 /* The model problem of "limit ..." (model_problem.h), resolved, and its limits into *l where that is not NULL.  0, or
  * the status, with *m, where it is not NULL, failed. */

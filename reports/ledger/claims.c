@@ -7,7 +7,8 @@
  * No verdict is written down anywhere but as the one expected, and one that differs from it is a failure. */
 #include "reports/ledger/claims.h"
 
-#include "solver/method.h"
+#include "reports/figure/reading.h"
+#include "reports/ledger/claim.h"
 #include "verification/text/progress.h"
 #include "verification/text/shell.h"
 
@@ -36,13 +37,49 @@ static void check(struct claims_measured *m) {
 }
 
 void claims_judge(const struct claims_row *row, struct claims_measured *m) {
-    *m = (struct claims_measured){.argument = row->argument};
+    *m = (struct claims_measured){.row = row};
     row->measure(m);
     check(m);
     if (*row->why) append(m, "; ", row->why);
     if (claims_holds(row, m)) return;
     append(m, "; ", "the verdict changed, expected: ");
     append(m, "", claims_verdict_words[row->expected]);
+}
+
+/* 1 if the value is in the reading's band; -1 with *m failed where the rungs of a ladder leave that open. */
+static int is_held(const struct claims_reading *of, const struct reading *r, double value,
+                   struct claims_measured *m) {
+    double unit = of->of ? m->number[of->of - 1].value : 1;
+    if (strcmp(of->key, "order") != 0) return of->lo <= value / unit && value / unit <= of->hi;
+    char verdict[40], reason[400];
+    reading_text(r, "verdict", verdict, sizeof verdict);
+    reading_text(r, "reason", reason, sizeof reason);
+    if (strcmp(verdict, "inconclusive") == 0 && claim_fail(m, reason)) return -1;
+    return strcmp(verdict, "pass") == 0;
+}
+
+static int take(const struct claims_reading *of, struct reading *r, struct failure *why) {
+    if (strcmp(of->key, "order") == 0)
+        reading_set(r, "%s --expect %g,%g", of->command, of->lo, of->hi);
+    else
+        reading_set(r, "%s", of->command);
+    return reading_run(r, 1, why);
+}
+
+void claims_read(struct claims_measured *m) {
+    int held[3] = {1, 1, 1};
+    struct failure why;
+    for (const struct claims_reading *of = m->row->reading; of->command; of++) {
+        struct reading r;
+        int order = strcmp(of->key, "order") == 0, in = 0, failed = take(of, &r, &why);
+        double value = failed ? NAN : reading_value(&r, order ? "slope" : of->key);
+        if (!failed) in = of->part == CLAIMS_SHOWN ? 1 : is_held(of, &r, value, m);
+        reading_free(&r, 1);
+        if (failed ? claim_fail(m, why.text) : in < 0) return;
+        claim_number(m, value, of->unit, "%s", of->name ? of->name : of->command + strcspn(of->command, " ") + 1);
+        held[of->part] &= in;
+    }
+    claim_decide(m, held[CLAIMS_STATED], held[CLAIMS_WIDER], "%s", m->row->argument);
 }
 
 int claims_holds(const struct claims_row *row, const struct claims_measured *m) {

@@ -3,8 +3,11 @@
 #define HEATLADDER_REPORTS_LEDGER_CLAIMS_H
 
 /* The ledger: checkable statements of papers, measured.  A statement is a row of its paper's table (song.def,
- * pamplona.def; papers.h lists them).  The measurement gives its verdict, which must equal the expected verdict of
- * the row. */
+ * pamplona.def, others.def; papers.h joins them).  Numbers give its verdict, which must equal the expected one.
+ *
+ * To add a row: READ(id, source, published, rule, expected, why, readings...) where commands give its numbers, one
+ * reading a number (a command, the key of its JSON, a band); else CLAIM(..., measure, argument, expected, why) with a
+ * function of your own beside the table (claim.h). */
 
 #include <stdio.h>
 #include <stddef.h>
@@ -20,7 +23,7 @@ enum claims_verdict {
 };
 extern const char *const claims_verdict_words[]; /* in the order of the enum, ended by NULL */
 
-enum { CLAIMS_NUMBERS = 14 };
+enum { CLAIMS_NUMBERS = 16 };
 
 struct claims_number {
     char name[72];
@@ -28,8 +31,19 @@ struct claims_number {
     double value;
 };
 
+/* A number that a command gives, and the band that it is held against. */
+enum claims_part { CLAIMS_SHOWN, CLAIMS_STATED, CLAIMS_WIDER }; /* no band; as published; in the wider setting */
+
+struct claims_reading {
+    enum claims_part part;
+    int of;                    /* the band is in units of this reading of the row, counted from 1; 0: as it stands */
+    const char *name, *unit;   /* name NULL: the command */
+    const char *command, *key; /* figure/reading.h; "order": the slope, judged by the rule of the gates (judge.h) */
+    double lo, hi;             /* the band, ends included */
+};
+
 struct claims_measured {
-    const char *argument; /* owned by this row; a measure truncates it as it reads */
+    const struct claims_row *row;
     enum claims_verdict verdict;
     int count; /* numbers */
     struct claims_number number[CLAIMS_NUMBERS];
@@ -40,12 +54,13 @@ struct claims_measured {
 
 struct claims_row {
     const char *id;
-    const char *source;                         /* paper, and equation, table, figure or section */
-    const char *published;                      /* the statement or the number */
-    void (*measure)(struct claims_measured *m); /* see claim.h */
-    const char *argument;
+    const char *source;    /* paper, and equation, table, figure or section */
+    const char *published; /* the statement or the number */
+    void (*measure)(struct claims_measured *m);
+    const char *argument; /* for the measure; the rule where that is claims_read */
     enum claims_verdict expected;
-    const char *why; /* explanation of the numbers */
+    const char *why;                      /* explanation of the numbers */
+    const struct claims_reading *reading; /* ended by a NULL command; NULL for none */
 };
 
 struct claims_result {
@@ -69,6 +84,10 @@ void claims_run(struct claims *c);
 
 /* Judges one row.  If it cannot be measured, or a result is not finite, it is CLAIMS_UNMEASURED with the reason. */
 void claims_judge(const struct claims_row *row, struct claims_measured *m);
+
+/* The measure of rows of readings: as published where all of CLAIMS_STATED are in their bands, without a condition
+ * where all of CLAIMS_WIDER are too. */
+void claims_read(struct claims_measured *m);
 
 /* 1 where the verdict is the one that the row expects. */
 int claims_holds(const struct claims_row *row, const struct claims_measured *m);

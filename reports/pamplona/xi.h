@@ -18,6 +18,8 @@ double xi_h(int n);
 
 /* Eqs. 12 and 13 on a lattice: the sum of -F x dx^2 x, F = (dW/dr) r/(r^2 + (eta h)^2), at h/dx. */
 double xi_moment(enum kernel_name kernel, double h, double eta);
+/* The same with eq. 12 as printed: the component x_ij in place of r. */
+double xi_moment_printed(enum kernel_name kernel, double h, double eta);
 /* The xi that makes eq. 13 exact for x^2 and y^2: V = area xi/N with N = (n + 4)^2, ghosts counted (eq. 14, m = 0.224
  * kg), is dx^2/M, M the moment at h/dx = 1.2 and eta = 0.1: ((n + 4)/n)^2/M, m. */
 double xi_closed_form(int n, enum kernel_name kernel);

@@ -21,6 +21,7 @@
 
 #include "verification/stability/spectrum.h"
 #include "verification/stability/symbol.h"
+#include "verification/text/json.h"
 
 #include <math.h>
 #include <string.h>
@@ -182,4 +183,27 @@ int step_limit_measure(const struct model_problem *b, double *measured, struct f
     }
     *measured = sqrt(in * out);
     return STATUS_OK;
+}
+
+void step_limit_json(const struct model_problem *b, const struct step_limit *l, struct json *j) {
+    json_add(j, "method %s|dim %d", b->method->name, b->dim);
+    json_text(j, "kernel", b->method->scheme ? kernel_words[b->options.kernel] : NULL);
+    json_number(j, "h", b->method->scheme ? b->options.h : NAN);
+    json_add(j, "layout %s|jitter %g|seed %lld|walls %s", layout_words[b->options.layout], b->options.jitter,
+             (long long)b->options.seed, walls_words[b->options.walls]);
+    json_number(j, "ratio", b->dim > 1 ? model_problem_kappa_y(b) : NAN);
+    json_number(j, "contact", b->contact > 0 ? b->contact : NAN);
+    json_add(j, "stepper %s|published %g|source %s|von_neumann %g|measured %g", stepper_words[b->step.stepper],
+             l->published, l->source, l->von_neumann, l->measured);
+    json_add(j, "beta %g|radius %g|growth %g", l->beta, l->radius, l->growth);
+    struct customary_step custom[CUSTOMARY_STEPS];
+    int customs = customary_steps(b, custom);
+    json_array(j, "customary");
+    for (int k = 0; k < customs; k++) {
+        json_object(j, NULL);
+        json_add(j, "source %s|step %g|times_stable %g", custom[k].source, custom[k].F, custom[k].F / l->von_neumann);
+        json_end(j);
+    }
+    json_end(j);
+    json_numbers(j, "theta", l->theta, b->dim);
 }

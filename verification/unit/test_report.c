@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Published tables as printed; the closed form of xi, the search for the best one, and fits of known laws. */
 #include "reports/figure/published.h"
+#include "reports/figure/reading.h"
 #include "reports/pamplona/xi.h"
 
 #include "verification/judge/command_run.h"
@@ -81,8 +82,40 @@ static void best_xi_minimises_the_error(void **state) {
     assert_order(xi_error(&b, b.xi), >, b.error); /* the least that was met, here not in the middle */
 }
 
+/* Keys of a run, a ladder and a limit; a run that fails; a command that is refused. */
+static void readings_are_keys_of_a_commands_json(void **state) {
+    (void)state;
+    struct reading r[4];
+    struct failure why;
+    char text[40];
+    reading_set(&r[0], "run rod-step ftcs --dx 4/%d --fourier 0.2", 40);
+    reading_set(&r[1], "ladder rod-cosine ftcs --fourier 0.2 --dx 1/20,1/40,1/80,1/160 --expect 1.9,2.1");
+    reading_set(&r[2], "limit brookshaw --dim 1 --h 1.1");
+    reading_set(&r[3], "run rod-step ftcs --dx 0.1 --fourier 0.9 --t-end 500");
+    assert_int_equal(reading_run(r, 4, &why), STATUS_OK);
+    assert_near(reading_value(&r[0], "particles"), 40, 0);
+    assert_near(reading_value(&r[0], "dx"), 0.1, 1e-15);
+    assert_near(reading_value(&r[0], "steps/particles"), reading_value(&r[0], "steps") / 40, 1e-15);
+    assert_near(reading_value(&r[0], "dx,particles,steps/dx"), fmax(40, reading_value(&r[0], "steps")) * 10, 1e-9);
+    assert_near(reading_value(&r[0], "failure"), 0, 0);
+    assert_true(isnan(reading_value(&r[0], "quantity")) && isnan(reading_value(&r[0], "particles,quantity")));
+    assert_near(reading_value(&r[1], "slope"), 2, 0.1);
+    reading_text(&r[1], "verdict", text, sizeof text);
+    assert_string_equal(text, "pass");
+    assert_near(reading_value(&r[2], "times_stable after Cleary"), 0.15 * 1.21 / reading_value(&r[2], "von_neumann"),
+                1e-12);
+    assert_near(reading_value(&r[3], "failure"), 1, 0);
+    assert_true(isnan(reading_value(&r[3], "particles")));
+    reading_free(r, 4);
+    reading_set(&r[0], "run rod-setp ftcs --dx 0.1");
+    assert_int_equal(reading_run(r, 1, &why), STATUS_INPUT);
+    assert_has(why.text, "heatladder run rod-setp ftcs --dx 0.1: unknown scene 'rod-setp'");
+    reading_free(r, 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(readings_are_keys_of_a_commands_json),
         cmocka_unit_test(deviation_in_units_of_the_last_digit),
         cmocka_unit_test(published_tables_are_read),
         cmocka_unit_test(closed_form_xi_equals_the_moment_volume),
