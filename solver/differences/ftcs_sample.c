@@ -8,10 +8,7 @@
  * then the centres of its two parts.  The quadrature is Gauss-Legendre with four points on each smooth piece.  It is
  * split at the knots of B, at the walls, at jumps of the data, at the images of the jumps, and at a plane of
  * symmetry, which is a wall if half of the domain is computed. */
-#include "solver/differences/ftcs_grid.h"
-
-#include "solver/differences/ftcs_layers.h"
-#include "solver/problem.h"
+#include "solver/differences/ftcs.h"
 
 #include <math.h>
 
@@ -119,11 +116,11 @@ static double average(const struct problem *p, const double *x, const double *d,
 
 double ftcs_sample(const struct problem *p, const double *x, const double *d, enum sampling how) {
     double share[2], middle[2], heat = 0, at[DIM_MAX] = {x[0]}, width[DIM_MAX] = {d[0]};
-    if (ftcs_layers_parts(p, d[0], x[0], share, middle) == 1) return average(p, x, d, how);
+    if (ftcs_face_parts(p, d[0], x[0], share, middle) == 1) return average(p, x, d, how);
     for (int a = 1; a < p->dim; a++) at[a] = x[a], width[a] = d[a];
     for (int m = 0; m < 2; m++) {
         at[0] = middle[m], width[0] = share[m] * d[0];
         heat += share[m] * p->material[m].rho_c * average(p, at, width, how);
     }
-    return heat / ftcs_layers_rho_c(p, d[0], x[0]);
+    return heat / ftcs_face_rho_c(p, d[0], x[0]);
 }

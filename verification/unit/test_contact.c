@@ -9,7 +9,7 @@
 #include "verification/stability/spectrum.h"
 #include "solver/method.h"
 #include "solver/particles/particles.h"
-#include "solver/differences/ftcs_grid.h"
+#include "solver/differences/ftcs.h"
 #include "solver/space/sample.h"
 #include "verification/judge/command.h"
 #include "verification/judge/result.h"

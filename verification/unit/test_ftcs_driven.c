@@ -114,27 +114,52 @@ static void hot_wall_is_no_instability(void **state) {
     assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_UNSTABLE);
 }
 
-static double waxing(const struct problem *p, const double *x, double t) {
-    (void)p;
-    return x[0] * t * t;
-}
-
-static void data_that_change_otherwise_are_refused(void **state) {
+static void matched_run_needs_steady_walls(void **state) {
     (void)state;
-    struct problem p = rod(1), disc = plane(1, 1);
+    struct problem p = rod(1);
     struct options o = {.dx = 0.046, .stepper = STEPPER_MATCHED};
     struct field f;
     struct failure why = {0};
-    p.wall_rate = disc.wall_rate = swinging_rate;
+    p.wall_rate = swinging_rate;
     assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "--stepper matched: the start and the steps of this run are derived for steady walls");
-    o.stepper = STEPPER_EULER, p.wall_rate = NULL, p.source_at = waxing;
-    assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
-    assert_has(why.text, "ftcs: needs a source that is steady or linear in time");
-    disc.material[0].k[1] = disc.material[0].k[0];
-    shape_round(&disc, 0, 0.46);
-    assert_int_equal(method_solve(&method_ftcs, &disc, &o, &f, &why), STATUS_NOT_APPLICABLE);
-    assert_has(why.text, "ftcs: needs steady walls and a steady source in a round body");
+}
+
+/* T = 3 + 0.7 t with the source and the held walls of a disc, a ring and a ball. */
+static double three(const struct problem *p, const double *x) {
+    (void)p, (void)x;
+    return 3;
+}
+
+static double warming(const struct problem *p, enum side s, const double *x, double t) {
+    (void)p, (void)s, (void)x;
+    return 3 + 0.7 * t;
+}
+
+static double warming_rate(const struct problem *p, enum side s, const double *x, double t) {
+    (void)p, (void)s, (void)x, (void)t;
+    return 0.7;
+}
+
+static double even_source(const struct problem *p, const double *x) {
+    (void)x;
+    return 0.7 * p->material[0].rho_c;
+}
+
+static void round_body_warms_evenly(void **state) {
+    (void)state;
+    for (int turn = 0; turn < 3; turn++) {
+        struct problem p = {.dim = 2, .t_end = 0.4, .materials = 1, .material = {{{0.29, 0.29, 0.29}, 2.385}}};
+        struct options o = {.dx = 0.1, .fourier = 0.3};
+        if (turn == 2)
+            shape_make_ball(&p, 0.9);
+        else
+            shape_round(&p, 0.4 * turn, 0.9);
+        p.initial = three, p.wall = warming, p.wall_rate = warming_rate, p.source = even_source;
+        struct field f = solved(&method_ftcs, &p, &o);
+        for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], 3 + 0.7 * p.t_end, 1e-12);
+        field_free(&f);
+    }
 }
 
 int main(void) {
@@ -144,7 +169,8 @@ int main(void) {
         cmocka_unit_test(changing_wall_is_of_first_order_in_dt),
         cmocka_unit_test(steady_walls_are_read_once),
         cmocka_unit_test(hot_wall_is_no_instability),
-        cmocka_unit_test(data_that_change_otherwise_are_refused),
+        cmocka_unit_test(matched_run_needs_steady_walls),
+        cmocka_unit_test(round_body_warms_evenly),
     };
     return cmocka_run_group_tests_name("ftcs_driven", tests, NULL, NULL);
 }

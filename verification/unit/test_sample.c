@@ -3,7 +3,7 @@
  * implementations, that of the particles and that of the finite differences, must give the same numbers. */
 #include "solver/method.h"
 
-#include "solver/differences/ftcs_grid.h"
+#include "solver/differences/ftcs.h"
 #include "solver/space/sample.h"
 
 #include "verification/unit/odd_problems.h"

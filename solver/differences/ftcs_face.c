@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The conductance of a face: flux = C (T_n - T_i), C = k area / distance.
+ *
+ * Two materials in contact at a plane across x.  The series mean between two points is k = d / (l_1/k_1 + l_2/k_2),
+ * l_m the length of the line between them in material m (Patankar 1980, sections 4.2-3, for any place of the
+ * interface).  Steady profiles are then exact and the cells have the heat of both materials: second order for any
+ * interface position.  The harmonic and arithmetic means use the conductivities at the two points; they are exact,
+ * respectively first order, if the interface is midway.  Along y and z the two parts of a cell that the interface
+ * cuts conduct in parallel, with the mean of k_y or k_z over its width.  A point or face within round-off of the
+ * interface is on it.
+ *
+ * Conductivity that depends on temperature.  With theta(T), the integral of k, the mean of k over the temperatures
+ * between two points conducts theta_n - theta_i (kirchhoff): the differences of one material, with theta for T.  The
+ * harmonic and arithmetic means use the two values of k.  The harmonic mean of Patankar is 0 if one of them is 0.
+ *
+ * A wall half a cell away: a held wall has the same mean of k between T_i and T_wall; a flux is given; at a Robin
+ * wall T_wall balances k dT/dn = b (T_a - T_wall), with the mean of k over the temperatures.
+ *
+ * Restriction: a conductivity that depends on temperature is isotropic. */
+#include "solver/differences/ftcs.h"
+
+#include <math.h>
+
+/* ---- Two materials ---- */
+
+/* Distance of x beyond the interface in units of d, with round-off removed. */
+static double depth(const struct problem *p, double d, double x) {
+    double apart = (x - p->interface) / fabs(d), edge = nearbyint(2 * apart) / 2;
+    return fabs(apart - edge) < 1e-9 ? edge : apart;
+}
+
+/* Parts of the cell about x on either side of the interface: their widths in units of d and their centres, m.
+ * Returns the number of parts, 1 or 2. */
+int ftcs_face_parts(const struct problem *p, double d, double x, double share[2], double middle[2]) {
+    double at = p->materials == 2 ? depth(p, d, x) : -1;
+    share[0] = fmin(1, fmax(0, 0.5 - at));
+    share[1] = 1 - share[0];
+    middle[0] = middle[1] = x;
+    if (share[0] == 0 || share[1] == 0) return 1;
+    middle[0] = p->interface - 0.5 * share[0] * d;
+    middle[1] = p->interface + 0.5 * share[1] * d;
+    return 2;
+}
+
+/* J m^-3 K^-1: average over the cell about x. */
+double ftcs_face_rho_c(const struct problem *p, double d, double x) {
+    double share[2], middle[2];
+    ftcs_face_parts(p, d, x, share, middle);
+    return share[0] * p->material[0].rho_c + (share[1] > 0 ? share[1] * p->material[1].rho_c : 0);
+}
+
+/* W m^-1 K^-1: between x and x + d (of either sign) along x; along another axis that of the cell about x. */
+double ftcs_face_k(const struct problem *p, enum mean mean, int axis, double d, double x) {
+    double share[2], middle[2];
+    if (p->materials < 2) return p->material[0].k[axis];
+    if (axis > 0) {
+        ftcs_face_parts(p, d, x, share, middle);
+        return share[0] * p->material[0].k[axis] + share[1] * p->material[1].k[axis];
+    }
+    double here = depth(p, d, x), there = here + (d > 0 ? 1 : -1);
+    double ka = p->material[here >= 0].k[0], kb = p->material[there >= 0].k[0];
+    double beyond = fmin(1, fmax(0, fmax(here, there))); /* fraction of the line */
+    if (mean == MEAN_ARITHMETIC) return 0.5 * (ka + kb);
+    if (mean != MEAN_SERIES) return 2 * ka * kb / (ka + kb);
+    return 1 / ((1 - beyond) / p->material[0].k[0] + beyond / p->material[1].k[0]);
+}
+
+/* ---- Conductivity that depends on temperature ---- */
+
+/* W m^-1 K^-1 */
+double ftcs_face_law(const struct problem *p, double T) {
+    double u = T - p->k_ref, k = p->k_law == K_LINEAR ? p->k_0 * (1 + p->k_beta * u) : p->k_0;
+    if (p->k_law == K_POWER) k *= u > 0 ? pow(u, p->k_n) : 0;
+    return k > 0 ? k : 0;
+}
+
+/* W m^-1 */
+static double theta(const struct problem *p, double T) {
+    double u = T - p->k_ref;
+    if (p->k_law == K_LINEAR) return p->k_0 * u * (1 + p->k_beta * u / 2);
+    return u > 0 ? p->k_0 / (p->k_n + 1) * pow(u, p->k_n + 1) : 0;
+}
+
+static double mean_of(enum mean mean, double a, double b) {
+    if (mean != MEAN_HARMONIC) return (a + b) / 2;
+    return a > 0 && b > 0 ? 2 / (1 / a + 1 / b) : 0;
+}
+
+/* T_wall from theta(T_wall) - theta(T) = half b (T_a - T_wall), of which the left side grows with T_wall and the
+ * right one falls: Newton's method, between the two temperatures. */
+static double balanced(const struct problem *p, double T, double T_a, double b_half) {
+    enum { MOST = 60 };
+    double lo = fmin(T, T_a), hi = fmax(T, T_a), wall = T, known = theta(p, T);
+    for (int i = 0; i < MOST && lo < hi; i++) {
+        double apart = theta(p, wall) - known - b_half * (T_a - wall);
+        *(apart > 0 ? &hi : &lo) = wall;
+        double next = wall - apart / (ftcs_face_law(p, wall) + b_half);
+        if (!(next > lo && next < hi)) next = lo + (hi - lo) / 2;
+        if (next == wall || next == lo || next == hi) break;
+        wall = next;
+    }
+    return wall;
+}
+
+/* Flux into a cell at T with the conductivity k, W m^-2, through a wall at the distance `half`. */
+double ftcs_face_wall(const struct ftcs_grid *g, enum side s, double T, double k, double value, double half) {
+    const struct problem *p = g->p;
+    const double b = p->robin[s];
+    if (p->side[s] == NEUMANN) return value;
+    if (p->k_frozen) return (value - T) / (half / k + (p->side[s] == ROBIN ? 1 / b : 0));
+    if (p->side[s] == ROBIN) return b * (value - balanced(p, T, value, b * half));
+    if (!g->C[0]) return (theta(p, value) - theta(p, T)) / half;
+    return mean_of(g->o->mean, k, ftcs_face_law(p, value)) * (value - T) / half;
+}
+
+/* The faces between the cells of an axis, and between the first and the last one of periodic sides.  Those of walls
+ * have the largest k of the problem, since their ghosts follow from the flux. */
+static void refresh_axis(struct ftcs_grid *g, int a) {
+    const double k_wall = g->p->material[0].k[a], share = 1 / (g->d[a] * g->d[a]);
+    const ptrdiff_t next = g->stride[a], extent = (g->n[a] - 1) * next;
+    const int wraps = g->p->side[2 * a] == PERIODIC;
+    double volume = g->d[0] * g->d[1] * g->d[2], *C = g->C[a];
+    int i[DIM_MAX] = {0};
+    do {
+        const ptrdiff_t at = ftcs_at(g, i);
+        const double k = g->law[at];
+        const double below = i[a] ? g->law[at - next] : wraps ? g->law[at + extent] : NAN;
+        C[at] = volume * share * (i[a] || wraps ? mean_of(g->o->mean, below, k) : k_wall);
+        if (i[a] == g->n[a] - 1)
+            C[at + next] = volume * share * (wraps ? mean_of(g->o->mean, k, g->law[at - extent]) : k_wall);
+    } while (ftcs_next(g, i));
+}
+
+/* theta, or k and the conductances, of the state T. */
+void ftcs_face_refresh(struct ftcs_grid *g, const double *T) {
+    const struct problem *p = g->p;
+    int i[DIM_MAX] = {0};
+    do {
+        const ptrdiff_t at = ftcs_at(g, i);
+        for (ptrdiff_t k = 0; k < g->n[0]; k++)
+            g->law[at + k] = g->C[0] ? ftcs_face_law(p, T[at + k]) : theta(p, T[at + k]);
+        i[0] = g->n[0] - 1;
+    } while (ftcs_next(g, i));
+    for (int a = 0; a < p->dim && g->C[0]; a++) refresh_axis(g, a);
+}
