@@ -5,6 +5,7 @@
 
 #include "verification/text/json.h"
 #include "references/scene.h"
+#include "verification/fault/diagnose.h"
 #include "verification/fault/wording.h"
 #include "verification/gates/gates.h"
 #include "verification/judge/gci.h"
@@ -25,7 +26,7 @@ struct ladder_options {
     int json;
 };
 
-static void print_text(const struct ladder *l) {
+static void print_text(const struct ladder *l, const struct diagnosis *d) {
     char what[240];
     struct table t = ladder_table(l, 1);
     const char *verdict = verdict_words[l->verdict];
@@ -47,14 +48,15 @@ static void print_text(const struct ladder *l) {
     printf("\n%s\n", what);
     printf("%s%s%s: %s (%.2g s)\n", verdict_colour(stdout, verdict), verdict, verdict_colour_end(stdout, verdict),
            l->reason, l->seconds);
-    if (!l->diagnosed) return;
-    wording_text(&l->diagnosis, what, sizeof what);
+    if (!l->open) return;
+    wording_text(d, what, sizeof what);
     printf("diagnosis: %s\n", what);
 }
 
-static void print_json(const struct ladder *l) {
+static void print_json(const struct ladder *l, const struct diagnosis *d) {
     struct json j = json_on(stdout);
     ladder_json(l, &j);
+    diagnosis_json(d, &j);
     json_end(&j);
 }
 
@@ -147,9 +149,10 @@ static int write_junit(const struct ladder_options *r, const struct ladder *l, i
 }
 
 /* Writes page and JUnit; a failure to write counts if nothing else failed. */
-static int write_files(const struct ladder_options *r, const struct ladder *l, int status, struct failure *why) {
+static int write_files(const struct ladder_options *r, const struct ladder *l, const struct diagnosis *d, int status,
+                       struct failure *why) {
     struct failure unwritten = {0};
-    if (r->page_path) page_ladder_write(l, r->command.typed, r->page_path, &unwritten);
+    if (r->page_path) page_ladder_write(l, d, r->command.typed, r->page_path, &unwritten);
     if (r->junit_path && !unwritten.status) write_junit(r, l, status, &unwritten);
     if (status || !unwritten.status) return status;
     *why = unwritten;
@@ -167,21 +170,24 @@ static int act(const void *options, struct failure *why) {
     const struct ladder_options *r = options;
     if (!r->command.experiment.scene) return without_scene(r, why);
     struct ladder *l = xcalloc(1, sizeof *l);
+    struct diagnosis d;
     int status = output_check(r->page_path, why);
     if (!status) status = output_check(r->junit_path, why);
     if (!status) status = check_finest(&r->command, why);
     struct experiment e = r->command.experiment;
     e.growth = 1;
     if (!status) status = ladder_run(&e, &r->command.rungs, l, why);
+    diagnose_ladder(&e, l, &d);
     int has_rungs = l->n > 0 && l->rung[l->n - 1].method; /* else the ladder itself was refused */
     for (int i = 0; has_rungs && i < l->n; i++) result_warn(&l->rung[i]);
     if (!status_refused(status) || (l->external && has_rungs)) {
-        (r->json ? print_json : print_text)(l);
+        (r->json ? print_json : print_text)(l, &d);
         if (!r->json && l->external) why->text[0] = '\0'; /* the table already shows it */
-        status = write_files(r, l, status, why);
+        status = write_files(r, l, &d, status, why);
     }
     if (!status && is_judged(r) && l->verdict != VERDICT_PASS)
         status = l->verdict == VERDICT_FAIL ? STATUS_GATE : STATUS_INCONCLUSIVE;
+    ladder_free(l);
     free(l);
     return status;
 }

@@ -6,6 +6,7 @@
 #include "solver/shape.h"
 #include "solver/words.h"
 #include "verification/judge/command.h"
+#include "verification/fault/diagnose.h"
 #include "verification/fault/wording.h"
 #include "verification/judge/consistency.h"
 #include "verification/judge/judge.h"
@@ -45,40 +46,35 @@ static void keep_rungs(const struct ladder *l, struct rungs *to) {
     memcpy(to->counts, l->window.counts, sizeof to->counts);
 }
 
-int measures_ladder(const struct command *r, int scattered, double lo, double hi, struct ladder *l,
-                    struct measured *m) {
-    struct failure why = {0};
-    struct ladder_rungs rungs = r->rungs;
-    rungs.expect = (struct numbers){.count = 2, .value = {lo, hi}};
-    rungs.scattered = scattered;
-    int status = ladder_run(&r->experiment, &rungs, l, &why);
-    measures_fail(m, &why);
-    if (status) return status;
-    *m = (struct measured){.value = l->slope.value,
-                           .ci = {l->slope.ci[0], l->slope.ci[1]},
-                           .error = ladder_finest_error(l),
-                           .verdict = l->verdict};
-    snprintf(m->reason, sizeof m->reason, "%s", l->reason);
-    return STATUS_OK;
-}
-
 void measures_diagnosed(struct measured *m, const struct diagnosis *d) {
     if (!d->named) return;
     m->found = *d;
     wording_text(d, m->diagnosis, sizeof m->diagnosis);
 }
 
-static void take_slope(int scattered, const struct command *r, double lo, double hi, struct measured *m) {
-    struct ladder *l = xcalloc(1, sizeof *l);
-    if (!measures_ladder(r, scattered, lo, hi, l, m)) {
-        keep_rungs(l, &m->rungs);
-        measures_diagnosed(m, &l->diagnosis);
-    }
-    free(l);
+int measures_ladder(const struct command *r, double lo, double hi, struct ladder *l, struct measured *m) {
+    struct failure why = {0};
+    struct diagnosis d;
+    struct ladder_rungs rungs = r->rungs;
+    rungs.expect = (struct numbers){.count = 2, .value = {lo, hi}};
+    int status = ladder_run(&r->experiment, &rungs, l, &why);
+    measures_fail(m, &why);
+    if (status) return status;
+    diagnose_ladder(&r->experiment, l, &d);
+    *m = (struct measured){.value = l->slope.value,
+                           .ci = {l->slope.ci[0], l->slope.ci[1]},
+                           .error = ladder_finest_error(l),
+                           .verdict = l->verdict};
+    snprintf(m->reason, sizeof m->reason, "%s", l->reason);
+    measures_diagnosed(m, &d);
+    return STATUS_OK;
 }
 
 void measures_slope(const struct command *r, double lo, double hi, struct measured *m) {
-    take_slope(0, r, lo, hi, m);
+    struct ladder *l = xcalloc(1, sizeof *l);
+    if (!measures_ladder(r, lo, hi, l, m)) keep_rungs(l, &m->rungs);
+    ladder_free(l);
+    free(l);
 }
 
 /* --shift 0, 0.1, ... 0.9, each a ladder. */
@@ -88,7 +84,7 @@ void measures_slope_offsets(const struct command *r, double lo, double hi, struc
     for (int s = 0; s < OFFSETS; s++) {
         struct measured one = {0};
         with.experiment.options.shift = (double)s / OFFSETS;
-        take_slope(0, &with, lo, hi, &one);
+        measures_slope(&with, lo, hi, &one);
         if (s == 0 || one.verdict != VERDICT_PASS || one.error > m->error) *m = one;
         if (m->verdict == VERDICT_PASS) continue;
         snprintf(m->reason, sizeof m->reason, "offset %g dx: %.370s", with.experiment.options.shift, one.reason);
@@ -96,34 +92,10 @@ void measures_slope_offsets(const struct command *r, double lo, double hi, struc
     }
 }
 
-/* 1 if each error is below half of the ceiling, raised to coarser rungs by the order of the row.  On a graded grid a
- * jump is at another fraction of a cell on each rung.  Cell means then have a start of -1 to 2 units of dx^2/24
- * T_xx: of second order, but by a factor that scatters, and more rungs do not give a slope.  Half of the ceiling is
- * twice the error of the five-point difference, the error of cells 1.4 times as wide. */
-static int is_below_all(const struct rungs *l, double ceiling, int order) {
-    static const double PART = 0.5;
-    int all = l->n > 0;
-    for (int i = 0; i < l->n; i++) all &= l->error[i] <= PART * ceiling * pow(l->x[i] / l->x[l->n - 1], order);
-    return all;
-}
-
-/* Errors of space and time can cancel, for example at a mesh Fourier number of 1/6, and the remainder decreases
- * irregularly: an error so far below the limit is sufficient. */
 void measures_order(const struct command *r, double lo, double hi, struct measured *m) {
-    static const double SMALL = 1.0 / 40;
-    const double ceiling = r->rungs.ceiling;
-    take_slope(1, r, lo, hi, m);
-    if (m->verdict == VERDICT_PASS) return;
-    if (m->error <= SMALL * ceiling)
-        snprintf(m->reason, sizeof m->reason, "the error %.4g is below 1/40 of its ceiling %.4g", m->error, ceiling);
-    else if (m->verdict == VERDICT_INCONCLUSIVE && is_below_all(&m->rungs, ceiling, (int)nearbyint(lo + 0.5)))
-        snprintf(m->reason, sizeof m->reason,
-                 "the slope scatters, but on each rung the error is below half of its"
-                 " ceiling there; %.4g on the finest",
-                 m->error);
-    else
-        return;
-    m->verdict = VERDICT_PASS;
+    struct command with = *r;
+    with.rungs.scattered = with.rungs.small_passes = 1;
+    measures_slope(&with, lo, hi, m);
 }
 
 /* Rows of the battery are converted to runs, which have no choice of norm; this measure gives them one. */

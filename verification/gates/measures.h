@@ -58,10 +58,9 @@ void measures_judge(struct measured *m, double value, double lo, double hi);
 /* Keeps a diagnosis that names a fault. */
 void measures_diagnosed(struct measured *m, const struct diagnosis *d);
 
-/* Runs and judges a ladder by its band, into *l.  Returns its status: if it is not 0, *m fails; otherwise *m has the
- * slope, the verdict and the finest error. */
-int measures_ladder(const struct command *r, int scattered, double lo, double hi, struct ladder *l,
-                    struct measured *m);
+/* Runs, judges and diagnoses a ladder by its band, into *l, which is released by ladder_free.  Returns its status: if
+ * it is not 0, *m fails; otherwise *m has the slope, the verdict, the finest error and the fault. */
+int measures_ladder(const struct command *r, double lo, double hi, struct ladder *l, struct measured *m);
 
 /* Runs once; its field goes into *f unless f is NULL.  Returns its status: if it is not 0, *m fails; otherwise *m
  * has its E1. */

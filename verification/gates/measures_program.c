@@ -4,8 +4,8 @@
 
 #include "solver/field.h"
 #include "verification/judge/command.h"
-#include "verification/fault/diagnosis.h"
-#include "verification/judge/inconclusive.h"
+#include "verification/fault/diagnose.h"
+#include "verification/judge/ladder.h"
 #include "verification/judge/self_difference.h"
 #include "verification/judge/run.h"
 
@@ -51,7 +51,7 @@ static void judge_noise(const struct command *r, const struct ladder *l, struct 
     e.options.dt = l->x[l->n - 1];
     e.program.keep = NULL;
     if (!e.program.solver || !run_twice(&e, &first, &apart, &largest, &tried)) return;
-    if (!(apart.l1 > INCONCLUSIVE_NOISE * error) || !diagnosis_repeat(apart.linf, largest, &d)) return;
+    if (!(apart.l1 > JUDGE_NOISE * error) || !diagnosis_repeat(apart.linf, largest, &d)) return;
     if (ceiling > 0 && error - 3 * apart.l1 > ceiling) return;
     measures_diagnosed(m, &d);
     snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
@@ -88,13 +88,14 @@ static void diagnose_steps(const struct command *r, const struct ladder *l, stru
 /* A program with its own time step gives the same answer for every requested step: the row does not apply. */
 void measures_slope_time(const struct command *r, double lo, double hi, struct measured *m) {
     struct ladder *l = xcalloc(1, sizeof *l);
-    int status = measures_ladder(r, 0, lo, hi, l, m), differ = 0;
+    int status = measures_ladder(r, lo, hi, l, m), differ = 0;
     for (int i = 0; i < l->n; i++) differ += l->error[i] != 0;
     if (!status && !differ)
         skip(m, "the answers are the same for every dt: the program takes a time step of its own");
     else if (m->verdict != VERDICT_PASS && !l->failure.status)
         judge_noise(r, l, m);
     if (m->verdict == VERDICT_FAIL && !l->failure.status && !m->found.named) diagnose_steps(r, l, m);
+    ladder_free(l);
     free(l);
 }
 
@@ -107,21 +108,23 @@ static void diagnose(const struct command *r, const struct field *f, double hi, 
     struct ladder_rungs rungs = {.dx = {.count = 2, .value = {2 * dx, dx}}, .diagnose = 1};
     struct ladder *l = xcalloc(1, sizeof *l);
     struct failure ignored;
+    struct diagnosis d = {.unit = ""};
     struct field given = program_as_given(&e->program, f, NULL);
-    int digits, rounded = diagnosis_rounding(&given, m->error, extent / dx, &l->diagnosis);
-    double printed = inconclusive_digits(f, &e->program.map, &digits);
-    if (rounded || (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
-        measures_diagnosed(m, &l->diagnosis);
-    if (l->noisy) {
+    int digits, rounded = diagnosis_rounding(&given, m->error, extent / dx, &d);
+    double printed = norms_digits(f, &e->program.map, &digits);
+    if (!rounded && e->program.solver && !ladder_run(e, &rungs, l, &ignored)) diagnose_ladder(e, l, &d);
+    measures_diagnosed(m, &d);
+    if (l->noise.share > JUDGE_NOISE) {
         snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
         m->verdict = VERDICT_INCONCLUSIVE;
-    } else if ((rounded || !l->diagnosis.named) && m->error - 2 * printed <= hi) {
+    } else if ((rounded || !d.named) && m->error - 2 * printed <= hi) {
         snprintf(m->reason, sizeof m->reason,
                  "printed digits: %d in the file make up %.0f %% of the error; more of them show what is left",
                  digits, 100 * fmin(printed / m->error, 1));
         m->verdict = VERDICT_INCONCLUSIVE;
     }
     field_free(&given);
+    ladder_free(l);
     free(l);
 }
 

@@ -20,7 +20,27 @@
  * tenth of the finest error.  This is a linear least-squares fit of C x^p/E + F/E = 1 for each p of the band.  It
  * uses the finest rungs that span a factor of 4 (at least four), since coarser ones have higher-order terms.
  * Scattered errors use all rungs, and a floor counts if it is significant: an F-test at 1 % of its reduction of the
- * sum of squares.  If the band contains an order of 0, a floor is expected. */
+ * sum of squares.  If the band contains an order of 0, a floor is expected.
+ *
+ * A ladder that did not pass may show no order without being wrong:
+ *
+ * Noise: if E1 of two equal runs differs by d, each scatters by d/sqrt(2).  A tenth of the error moves a local slope
+ * of ratio r by sqrt(2)/10/log r, 0.2 for r = 2: too much for a band of +-0.1.  An error above its ceiling by three
+ * times its scatter is wrong in any case.
+ *
+ * Printed digits that make up a tenth of the finest error (norms_digits) move a slope by the same amount.
+ *
+ * Smoothness: C x^p + D x^q, for any C, D, p and q with errors of one sign, has monotone local slopes.  Slopes that
+ * turn by 1/2 and back by 1/2 have more than two such terms, for example a tolerance or digits.
+ *
+ * Rungs: with the scatter s about the line, n rungs at log x = u have the interval +- t(n - 2) s/sqrt(sum (u -
+ * mean)^2) about the slope.  The result is the smallest n by halving with an interval inside the band.
+ *
+ * Small errors: errors of space and time can cancel, for example at a mesh Fourier number of 1/6, and the remainder
+ * decreases irregularly.  On a graded grid a jump is at another fraction of a cell on each rung.  Cell means then
+ * have a start of -1 to 2 units of dx^2/24 T_xx: of second order, but by a factor that scatters, and more rungs do
+ * not give a slope.  Half of the ceiling is twice the error of the five-point difference, the error of cells 1.4
+ * times as wide. */
 #include "verification/judge/judge.h"
 
 #include "solver/words.h"
@@ -28,6 +48,7 @@
 #include "verification/judge/window.h"
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -159,4 +180,173 @@ void judge_ceiling(double error, double ceiling, enum verdict *verdict, char *re
         snprintf(cause, sizeof cause, "no error to compare with the ceiling %.4g", ceiling);
     snprintf(rest, sizeof rest, "%.399s", reason);
     snprintf(reason, size, "%s%s%s", passed ? cause : rest, apart, passed ? rest : cause); /* the cause first */
+}
+
+/* ---- Facts ---- */
+
+static const double DIGITS = 0.1, TURN = 0.5; /* a share of the error; a change of a local slope */
+
+/* An error above its ceiling is wrong for any order. */
+static void leave_open(const struct judge_facts *f, double error, struct judge_verdict *v) {
+    v->verdict = VERDICT_INCONCLUSIVE;
+    if (f->ceiling > 0 && !(error <= f->ceiling))
+        judge_ceiling(error, f->ceiling, &v->verdict, v->reason, sizeof v->reason);
+}
+
+/* Without a band the order is only measured; a failed rung fails the ladder, and one that is skipped skips it. */
+static void judge_unasked(const struct judge_facts *f, struct judge_verdict *v) {
+    const struct judged *r = &f->rungs;
+    struct slope s = r->slope ? *r->slope : slope_fit(r->x, r->error, r->n);
+    v->verdict = isfinite(s.value) && r->n >= WINDOW_LEAST ? VERDICT_MEASURED : VERDICT_INCONCLUSIVE;
+    snprintf(v->reason, sizeof v->reason, "%d of %d rungs count%s", r->n, f->n,
+             r->n < WINDOW_LEAST ? ", at least four must" : "");
+    if (!f->failure.status) return;
+    int skipped = f->failure.status == STATUS_SKIPPED;
+    v->verdict = skipped ? VERDICT_SKIPPED : VERDICT_FAIL;
+    snprintf(v->reason, sizeof v->reason, "%s%.200s", skipped ? "" : "a rung failed: ", f->failure.text);
+}
+
+/* At round-off there is no order to fit; an exact code passes on its ceiling alone. */
+static void judge_exact(const struct judge_facts *f, struct judge_verdict *v) {
+    int known = f->ceiling > 0;
+    if (f->rungs.n >= WINDOW_LEAST || !f->finest_exact) return;
+    if (known) v->verdict = VERDICT_PASS;
+    snprintf(v->reason, sizeof v->reason, "%d of %d rungs are at round-off, without an order%s", f->exact, f->n,
+             known ? "" : ": --ceiling E judges the error");
+    if (known && f->finest <= f->ceiling)
+        words_add(v->reason, sizeof v->reason, "; the error %.4g is below its ceiling %.4g", f->finest, f->ceiling);
+}
+
+/* ---- Errors without an order that need not be wrong ---- */
+
+/* Local slopes of the included rungs; returns their number. */
+static int slopes(const struct judged *l, double *slope) {
+    slope_local(l->x, l->error, l->n, slope);
+    return l->n > 0 ? l->n - 1 : 0;
+}
+
+static int is_smooth(const double *slope, int n) {
+    double least = INFINITY, most = -INFINITY;
+    for (int i = 0; i < n; i++) least = fmin(least, slope[i]), most = fmax(most, slope[i]);
+    if (least < -TURN && most > TURN) return 0;
+    for (int i = 0; i + 2 < n; i++) {
+        double turn = slope[i + 1] - slope[i], back = slope[i + 1] - slope[i + 2];
+        if (turn * back > 0 && fabs(turn) > TURN && fabs(back) > TURN) return 0;
+    }
+    return 1;
+}
+
+/* "2.1, -0.4, 3.0" */
+static void list_slopes(const double *slope, int n, char *text, size_t size) {
+    *text = '\0';
+    for (int i = 0; i < n && strlen(text) + 12 < size; i++) words_add(text, size, "%s%.2f", i ? ", " : "", slope[i]);
+}
+
+/* The smallest number of rungs, with further ones by halving, for an interval inside the band; 0 if there is
+ * none. */
+static int rungs_needed(const struct judge_facts *f, const struct slope *s) {
+    enum { MOST = 12 };
+    double u[RUNG_MAX], half = (s->ci[1] - s->ci[0]) / 2;
+    int n = f->rungs.n;
+    for (int i = 0; i < n; i++) u[i] = log(f->rungs.x[i]);
+    double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(gsl_stats_tss(u, 1, (size_t)n)),
+           room = fmin(s->value - f->band[0], f->band[1] - s->value), last = u[n - 1];
+    for (int i = n; i < MOST; i++) {
+        u[i] = last -= log(2);
+        if (gsl_cdf_tdist_Pinv(0.975, i - 1) * scatter / sqrt(gsl_stats_tss(u, 1, (size_t)i + 1)) <= room)
+            return i + 1 + f->n - n;
+    }
+    return 0;
+}
+
+/* States the missing number of rungs if the error is small and decreases throughout; returns 1 if so. */
+static int says_what_is_missing(const struct judge_facts *f, struct judge_verdict *v) {
+    static const double FAR = 0.1;
+    const struct judged *r = &f->rungs;
+    double slope[RUNG_MAX];
+    int n = slopes(r, slope), positive = 1;
+    char list[80];
+    for (int i = 0; i < n; i++) positive = positive && slope[i] > 0;
+    if (r->n < WINDOW_LEAST || !positive || !(f->finest <= FAR * f->ceiling) || !f->band) return 0;
+    struct slope s = r->slope ? *r->slope : slope_fit(r->x, r->error, r->n);
+    int needed = rungs_needed(f, &s);
+    list_slopes(slope, n, list, sizeof list);
+    snprintf(v->reason, sizeof v->reason,
+             "the error %.2g is %.0f times below its ceiling and falls throughout (slopes %s), but the interval "
+             "[%.2f, %.2f] of %d rungs reaches past [%g, %g]: ",
+             f->finest, f->ceiling / f->finest, list, s.ci[0], s.ci[1], r->n, f->band[0], f->band[1]);
+    if (needed)
+        words_add(v->reason, sizeof v->reason, "with this scatter %d rungs decide (--rungs %d)", needed, needed);
+    else
+        words_add(v->reason, sizeof v->reason, "no 12 rungs with this scatter decide");
+    return 1;
+}
+
+static void judge_smoothness(const struct judge_facts *f, struct judge_verdict *v) {
+    double slope[RUNG_MAX];
+    int n = slopes(&f->rungs, slope);
+    char list[80];
+    if (is_smooth(slope, n) || f->named) return;
+    list_slopes(slope, n, list, sizeof list);
+    snprintf(v->reason, sizeof v->reason,
+             "errors do not fall smoothly (slopes %s): points at random, a solver's tolerance, or errors that cancel",
+             list);
+    leave_open(f, f->finest, v);
+}
+
+static void judge_answers(const struct judge_facts *f, struct judge_verdict *v) {
+    if (f->noise.share > JUDGE_NOISE) {
+        snprintf(v->reason, sizeof v->reason,
+                 "answers differ by %.2g K from run to run, %.0f %% of the error: random numbers, threads or an "
+                 "unset variable; no order shows",
+                 f->noise.apart, 100 * f->noise.share);
+        leave_open(f, f->finest - 3 * f->noise.finest, v);
+    } else if (f->printed > DIGITS) {
+        snprintf(v->reason, sizeof v->reason,
+                 "printed digits: %d in the file make up %.0f %% of the finest error; more of them show the order",
+                 f->digits, 100 * fmin(f->printed, 1));
+        leave_open(f, f->finest, v);
+    } else if (!(v->verdict == VERDICT_INCONCLUSIVE && says_what_is_missing(f, v))) {
+        judge_smoothness(f, v);
+    }
+}
+
+/* 1 if each error is below half of the ceiling, raised to coarser rungs by the order in the middle of the band. */
+static int is_below_all(const struct judge_facts *f) {
+    static const double PART = 0.5;
+    double order = nearbyint(f->band[0] + 0.5);
+    int all = f->n > 0;
+    for (int i = 0; i < f->n; i++) all &= f->error[i] <= PART * f->ceiling * pow(f->x[i] / f->x[f->n - 1], order);
+    return all;
+}
+
+static void judge_small(const struct judge_facts *f, struct judge_verdict *v) {
+    static const double SMALL = 1.0 / 40;
+    if (f->finest <= SMALL * f->ceiling)
+        snprintf(v->reason, sizeof v->reason, "the error %.4g is below 1/40 of its ceiling %.4g", f->finest,
+                 f->ceiling);
+    else if (v->verdict == VERDICT_INCONCLUSIVE && is_below_all(f))
+        snprintf(v->reason, sizeof v->reason,
+                 "the slope scatters, but on each rung the error is below half of its"
+                 " ceiling there; %.4g on the finest",
+                 f->finest);
+    else
+        return;
+    v->verdict = VERDICT_PASS;
+}
+
+struct judge_verdict judge_ladder(const struct judge_facts *f) {
+    struct judge_verdict v = {VERDICT_PASS, ""};
+    if (f->failure.status || !(f->band || f->ceiling > 0)) {
+        judge_unasked(f, &v);
+        return v;
+    }
+    if (f->band) {
+        v.verdict = judge_order(&f->rungs, f->band[0], f->band[1], v.reason, sizeof v.reason);
+        judge_exact(f, &v);
+    }
+    if (f->ceiling > 0) judge_ceiling(f->finest, f->ceiling, &v.verdict, v.reason, sizeof v.reason);
+    if (v.verdict != VERDICT_PASS && f->answers) judge_answers(f, &v);
+    if (v.verdict != VERDICT_PASS && f->small_passes) judge_small(f, &v);
+    return v;
 }

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The runs of a ladder, one per rung. */
+/* A ladder: row -> runs -> errors -> slope -> verdict.
+ *
+ * Each rung is one run, or one per draw of --seeds.  Its error is relative to the exact solution; of a ladder in
+ * time to the particles' semi-discrete equations, or to another run of the ladder. */
 #include "verification/judge/ladder.h"
 
 #include "solver/field.h"
 #include "solver/status.h"
 #include "solver/words.h"
 #include "verification/solve/results.h"
-#include "verification/judge/inconclusive.h"
-#include "verification/judge/judge.h"
 #include "verification/judge/self_difference.h"
 #include "verification/text/progress.h"
 #include "verification/judge/run.h"
@@ -55,189 +56,134 @@ static int plan(const struct ladder_rungs *r, struct ladder *l, struct failure *
     return STATUS_OK;
 }
 
-static struct experiment rung_of(const struct experiment *e, const struct ladder_rungs *rungs, const struct ladder *l,
-                                 int i) {
-    struct experiment rung = *e;
-    struct program *g = &rung.program;
-    char value[40];
-    results_number(l->x[i], value);
-    if (rungs->vary.count) {
-        results_number(rungs->vary.value[i], g->value);
-        snprintf(g->rung, sizeof g->rung, "%s=%s", g->vary, g->value);
-    } else if (!l->in_time) {
-        rung.options.dx = l->x[i];
-    } else if (rungs->dt.count) {
-        rung.options.dt = l->x[i];
-        snprintf(g->rung, sizeof g->rung, "dt=%s", value);
-    } else {
-        rung.options.fourier = l->x[i];
-        snprintf(g->rung, sizeof g->rung, "fourier=%s", value);
-    }
-    return rung;
-}
-
-/* Storage for the field of a rung: kept for the two finest, for the diagnosis. */
-static struct field *keep(struct field kept[2], int before_finest) {
-    return before_finest < 2 ? &kept[before_finest] : NULL;
-}
-
-static struct result not_run(const struct experiment *rung) {
-    struct result r = run_blank(rung);
-    refuse(&r.failure, STATUS_NUMERICAL, "not run, because a coarser rung failed");
-    return r;
-}
-
-/* External programs: coarsest rung first, one at a time for undisturbed timing; stop at the first failure.  Existing
- * answers are all read. */
-static void climb_program(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
-                          struct field kept[2]) {
-    int failed = 0;
-    for (int i = 0; i < l->n; i++) {
-        struct experiment rung = rung_of(e, rungs, l, i);
-        if (failed && e->program.solver)
-            l->rung[i] = not_run(&rung);
-        else
-            failed = run_experiment(&rung, &l->rung[i], keep(kept, l->n - 1 - i)) || failed;
-    }
-}
-
-/* Runs the rungs against the semi-discrete reference, or the exact solution if there is none. */
-static void climb(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
-                  const struct semidiscrete *reference, struct field kept[2]) {
-    if (l->external) {
-        climb_program(e, rungs, l, kept);
-        return;
-    }
-    struct progress progress = progress_start("rungs", l->n);
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int i = 0; i < l->n; i++) {
-        int finest_first = l->n - 1 - i;
-        struct experiment rung = rung_of(e, rungs, l, finest_first);
-        if (reference)
-            run_against(&rung, reference->field.T, reference->error, &l->rung[finest_first]);
-        else
-            run_experiment(&rung, &l->rung[finest_first], keep(kept, i));
-        progress_tick(&progress);
-    }
-    progress_end(&progress);
-}
-
-/* A refused rung refuses the ladder; a failed rung is reported in it. */
-static int collect(struct ladder *l, struct failure *why) {
-    for (int i = 0; i < l->n; i++) {
-        const struct failure *f = &l->rung[i].failure;
-        if (status_refused(f->status) && !l->external) {
-            *why = *f;
-            return f->status;
-        }
-        if (f->status && !l->failure.status) l->failure = *f;
-        if (l->in_time && !f->status && !l->self_differences)
-            l->x[i] = l->rung[i].dt; /* the number of steps is whole, so dt differs slightly from the request */
-    }
-    if (l->failure.status) *why = l->failure;
-    return l->failure.status;
-}
-
-/* Without a semi-discrete reference.  A failed run leaves a ladder without errors. */
-static int climb_without_reference(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
-                                   struct failure *why) {
-    struct experiment rung[RUNG_MAX], fine = *e;
-    if (l->n < 3 && !(rungs->fine > 0))
-        return refuse(
-            why, STATUS_INPUT,
-            "the time error of %s comes from successive runs: needs at least three time steps, %d for a gate",
-            e->method->name, WINDOW_LEAST + 1);
-    for (int i = 0; i < l->n; i++) {
-        rung[i] = rung_of(e, rungs, l, i);
-        l->rung[i] = not_run(&rung[i]);
-    }
-    fine.options.dt = l->fine = rungs->fine;
-    char value[40];
-    results_number(rungs->fine, value);
-    snprintf(fine.program.rung, sizeof fine.program.rung, "dt=%s", value);
-    int status = self_difference_climb(rung, rungs->fine > 0 ? &fine : NULL, l, why);
-    int reported = l->external && l->rung[0].failure.status;
-    return status_refused(status) && !reported ? status : STATUS_OK;
-}
-
-/* Measures each rung against the reference; without one the rungs fail.  Returns STATUS_INPUT with *why if it is
- * refused. */
-static int climb_in_time(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
-                         struct failure *why) {
-    struct experiment finest = rung_of(e, rungs, l, l->n - 1);
-    struct semidiscrete reference;
-    if (!e->method->scheme || e->problem.k_law) return climb_without_reference(e, rungs, l, why);
-    int status = semidiscrete_solve(&finest, &reference, why);
-    if (status_refused(status)) return status;
-    l->semidiscrete_steps = reference.steps;
-    l->semidiscrete_error = reference.error;
-    if (!status) climb(e, rungs, l, &reference, NULL);
-    for (int i = 0; status && i < l->n; i++) {
-        struct experiment rung = rung_of(e, rungs, l, i);
-        l->rung[i] = run_blank(&rung);
-        l->rung[i].failure = *why;
-    }
-    field_free(&reference.field);
-    return STATUS_OK;
-}
-
-/* At round-off there is no order to fit; an exact code passes on its ceiling alone. */
-static void judge_exact(const struct ladder_rungs *rungs, struct ladder *l) {
-    int exact = 0;
-    for (int i = 0; i < l->n; i++) exact += l->window.exact[i];
-    if (l->window.n >= WINDOW_LEAST || !l->window.exact[l->n - 1] || l->failure.status) return;
-    if (rungs->ceiling > 0) l->verdict = VERDICT_PASS;
-    snprintf(l->reason, sizeof l->reason, "%d of %d rungs are at round-off, without an order%s", exact, l->n,
-             rungs->ceiling > 0 ? "" : ": --ceiling E judges the error");
-    if (rungs->ceiling > 0 && ladder_finest_error(l) <= rungs->ceiling)
-        words_add(l->reason, sizeof l->reason, "; the error %.4g is below its ceiling %.4g", ladder_finest_error(l),
-                  rungs->ceiling);
-}
-
-static void judge(const struct ladder_rungs *rungs, struct ladder *l) {
-    if (rungs->scattered) l->window.scattered = 1;
-    if (rungs->expect.count) {
-        ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
-        judge_exact(rungs, l);
-    }
-    if (!(rungs->ceiling > 0)) return;
-    if (!rungs->expect.count && !l->failure.status) l->verdict = VERDICT_PASS, l->reason[0] = '\0';
-    judge_ceiling(ladder_finest_error(l), rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
-}
-
 /* Error number `which` of a result. */
+enum { ERRORS = 6 };
 static double *error_of(struct result *r, int which) {
     double *const of[] = {&r->error.l1,    &r->error.l2,    &r->error.linf,
                           &r->interior.l1, &r->boundary.l1, &r->derived_error};
     return of[which];
 }
 
-/* Runs each rung once per seed; its errors become the geometric means. */
-static void climb_draws(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
-                        struct field kept[2]) {
-    enum { ERRORS = 6 };
-    enum ladder_norm norm = e->derived ? LADDER_QUANTITY : rungs->norm;
-    struct result *sum = xcalloc(RUNG_MAX, sizeof *sum);
-    l->draws = e->program.seeds;
-    for (int k = 0, failed = 0; k < e->program.seeds && !failed; k++) {
-        struct experiment one = *e;
-        struct field other[2] = {{0}, {0}};
-        one.program.seed = k + 1;
-        one.options.seed = e->options.seed + (unsigned long)k;
-        snprintf(one.program.rung, sizeof one.program.rung, "seed=%d", k + 1);
-        climb(&one, rungs, l, NULL, k ? other : kept);
-        for (int i = 0; i < l->n; i++) {
-            l->draw[k][i] = ladder_error_in(&l->rung[i], norm);
-            failed = failed || l->rung[i].failure.status;
-            for (int n = 0; n < ERRORS; n++)
-                *error_of(&sum[i], n) += log(*error_of(&l->rung[i], n)) / e->program.seeds;
-        }
-        for (int n = 0; n < 2; n++) field_free(&other[n]);
-        if (failed) l->draws = 0;
+/* ---- The climb ---- */
+
+struct climb {
+    const struct experiment *e;
+    const struct ladder *l;
+    int draws, runs;                /* how many, and the runs of each: the rungs, and last that of --fine */
+    int keeps;                      /* fields kept of the first draw: those of so many finest runs */
+    int differences;                /* 1: each run is the reference of another */
+    struct semidiscrete *reference; /* owned; NULL: the exact solution */
+    struct failure failure;         /* why there is no reference */
+    struct result *result;          /* owned, [draws][runs] */
+    struct field *field;            /* owned, [runs]; n = 0: not kept */
+};
+
+static struct experiment run_of(const struct climb *c, int draw, int i) {
+    struct experiment run = *c->e;
+    struct program *g = &run.program;
+    const struct ladder_rungs *asked = &c->l->asked;
+    char value[40];
+    results_number(c->l->x[i], value);
+    if (c->l->draws) {
+        g->seed = draw + 1;
+        run.options.seed += (unsigned long)draw;
+        snprintf(g->rung, sizeof g->rung, "seed=%d", draw + 1);
     }
-    for (int i = 0; i < l->n && l->draws; i++)
-        for (int n = 0; n < ERRORS; n++) *error_of(&l->rung[i], n) = exp(*error_of(&sum[i], n));
-    free(sum);
+    if (asked->vary.count) {
+        results_number(asked->vary.value[i], g->value);
+        snprintf(g->rung, sizeof g->rung, "%s=%s", g->vary, g->value);
+    } else if (!c->l->in_time) {
+        run.options.dx = c->l->x[i];
+    } else if (asked->dt.count) {
+        run.options.dt = c->l->x[i];
+        snprintf(g->rung, sizeof g->rung, "dt=%s", value);
+    } else {
+        run.options.fourier = c->l->x[i];
+        snprintf(g->rung, sizeof g->rung, "fourier=%s", value);
+    }
+    return run;
+}
+
+/* instead: the failure of a run that is not done; NULL: it is. */
+static int climb_run(const struct climb *c, int draw, int i, const struct failure *instead) {
+    struct experiment run = run_of(c, draw, i);
+    struct result *r = &c->result[draw * c->runs + i];
+    if (instead) {
+        *r = run_blank(&run);
+        r->failure = *instead;
+    } else if (c->reference) {
+        run_against(&run, c->reference->field.T, c->reference->error, r);
+    } else {
+        run_experiment(&run, r, draw == 0 && i >= c->runs - c->keeps ? &c->field[i] : NULL);
+    }
+    return r->failure.status;
+}
+
+/* Ours: the finest run first, in parallel.  A program: the coarsest first, one at a time for undisturbed timing, up
+ * to the first failure; existing answers are all read. */
+static void climb(const struct climb *c) {
+    const int all = c->draws * c->runs, ours = !c->l->external;
+    struct failure stopped;
+    const struct failure *instead = c->failure.status ? &c->failure : NULL;
+    refuse(&stopped, STATUS_NUMERICAL, "not run, because a coarser rung failed");
+    struct progress progress = progress_start("rungs", ours ? all : 0);
+#pragma omp parallel for schedule(dynamic, 1) if (ours)
+    for (int k = 0; k < all; k++) {
+        int i = k % c->runs, failed = climb_run(c, k / c->runs, ours ? c->runs - 1 - i : i, instead);
+        if (failed && c->e->program.solver) instead = &stopped;
+        if (ours) progress_tick(&progress);
+    }
+    progress_end(&progress);
+}
+
+/* ---- From runs to rungs ---- */
+
+/* The errors of a rung become the geometric means of its draws; a draw that failed is shown in their place. */
+static void pool(const struct climb *c, struct ladder *l) {
+    enum ladder_norm norm = c->e->derived ? LADDER_QUANTITY : l->asked.norm;
+    int shown = c->draws - 1, failed = 0;
+    for (int k = 0; k < c->draws * c->runs && !failed; k++)
+        if (c->result[k].failure.status) shown = k / c->runs, failed = 1;
+    memcpy(l->rung, &c->result[shown * c->runs], (size_t)l->n * sizeof *l->rung);
+    if (failed) l->draws = 0;
+    for (int i = 0; i < l->n && l->draws; i++) {
+        double mean[ERRORS] = {0};
+        for (int k = 0; k < l->draws; k++) {
+            struct result *r = &c->result[k * c->runs + i];
+            l->draw[k][i] = ladder_error_in(r, norm);
+            for (int n = 0; n < ERRORS; n++) mean[n] += log(*error_of(r, n)) / l->draws;
+        }
+        for (int n = 0; n < ERRORS; n++) *error_of(&l->rung[i], n) = exp(mean[n]);
+    }
+}
+
+/* A refused run refuses the ladder; a failed one is reported in it. */
+static int note_failures(const struct climb *c, struct ladder *l, struct failure *why) {
+    for (int k = 0; k < c->draws * c->runs; k++) {
+        const struct failure *f = &c->result[k].failure;
+        if (f->status && !l->failure.status) l->failure = *f;
+        if (status_refused(f->status) && !l->external) l->failure = *f;
+        if (status_refused(l->failure.status)) break;
+    }
+    if (l->failure.status) *why = l->failure;
+    return l->failure.status;
+}
+
+/* The number of steps is whole, so dt differs slightly from the request. */
+static int measure_in_time(const struct climb *c, struct ladder *l, struct failure *why) {
+    double dt[RUNG_MAX + 1];
+    for (int i = 0; i < c->runs; i++) {
+        const struct result *r = &c->result[i];
+        dt[i] = r->dt > 0 ? r->dt : l->x[i];
+        if (!r->failure.status) l->x[i] = dt[i];
+        if (c->differences) l->rung[i].error = (struct norms_error){.l1 = NAN, .l2 = NAN, .linf = NAN};
+    }
+    if (!c->differences || l->failure.status) return STATUS_OK;
+    if (l->fine > 0)
+        l->fine = dt[l->n];
+    else
+        l->n--; /* the finest run is a reference alone */
+    return self_difference_errors(&c->e->problem, c->field, dt, l, why);
 }
 
 /* Draws differ only in a seed: that of a program, of a cloud, or of the lattice position under a round body. */
@@ -254,32 +200,110 @@ static int check_seeds(const struct experiment *e, const struct ladder *l, struc
     return STATUS_OK;
 }
 
+/* A ladder in time has the particles' semi-discrete equations as its reference, or runs of its own. */
+static int choose_reference(struct climb *c, struct ladder *l, struct semidiscrete *semidiscrete,
+                            struct failure *why) {
+    const struct experiment *e = c->e;
+    if (!l->in_time) {
+        c->keeps = l->vary[0] ? 0 : 2;
+        return STATUS_OK;
+    }
+    if (e->method->scheme && !e->problem.k_law) {
+        struct experiment finest = run_of(c, 0, l->n - 1);
+        int status = semidiscrete_solve(&finest, semidiscrete, &c->failure);
+        if (status)
+            *why = c->failure;
+        else
+            c->failure = (struct failure){0};
+        l->semidiscrete_steps = semidiscrete->steps;
+        l->semidiscrete_error = semidiscrete->error;
+        c->reference = semidiscrete;
+        return status_refused(status) ? status : STATUS_OK;
+    }
+    if (l->n < 3 && !(l->asked.fine > 0))
+        return refuse(
+            why, STATUS_INPUT,
+            "the time error of %s comes from successive runs: needs at least three time steps, %d for a gate",
+            e->method->name, WINDOW_LEAST + 1);
+    l->fine = l->asked.fine;
+    if (l->fine > 0) l->x[c->runs++] = l->fine;
+    c->keeps = c->runs;
+    c->differences = 1;
+    return STATUS_OK;
+}
+
+/* Runs the rungs and sets their errors.  The two finest fields go to l->kept. */
+static int climb_ladder(const struct experiment *e, struct ladder *l, struct failure *why) {
+    struct climb c = {.e = e, .l = l, .draws = l->draws ? l->draws : 1, .runs = l->n};
+    struct semidiscrete semidiscrete = {0};
+    int status = choose_reference(&c, l, &semidiscrete, why);
+    if (!status) {
+        c.result = xcalloc((size_t)(c.draws * c.runs), sizeof *c.result);
+        c.field = xcalloc((size_t)c.runs, sizeof *c.field);
+        climb(&c);
+        pool(&c, l);
+        status = note_failures(&c, l, why);
+        if (l->in_time && (!status_refused(status) || l->external) && measure_in_time(&c, l, why))
+            status = why->status;
+    }
+    for (int i = 0; i < c.runs && c.field; i++) {
+        int before_finest = l->n - 1 - i;
+        if (!l->in_time && c.field[i].n)
+            l->kept[before_finest] = c.field[i];
+        else
+            field_free(&c.field[i]);
+    }
+    field_free(&semidiscrete.field);
+    free(c.result);
+    free(c.field);
+    return status;
+}
+
+/* ---- The ladder ---- */
+
+/* Repeats the rung before the finest, to measure how far the answers of a program differ between runs, and counts
+ * the digits that it prints. */
+static void question(const struct experiment *e, struct ladder *l) {
+    struct experiment again = *e;
+    const struct result *first = &l->rung[l->n - 2];
+    struct result result;
+    struct field f = {0};
+    struct norms_error apart;
+    int largest = l->norm == LADDER_LINF;
+    if (l->norm != LADDER_QUANTITY && l->kept[0].n)
+        l->printed = norms_digits(&l->kept[0], &e->program.map, &l->digits) / l->rung[l->n - 1].error.l1;
+    if (!e->program.solver || !l->kept[1].n) return;
+    again.options.dx = l->x[l->n - 2];
+    again.program.keep = NULL;
+    if (!run_experiment(&again, &result, &f) && self_difference_fields(&e->problem, &l->kept[1], &f, &apart)) {
+        l->noise.apart = apart.linf;
+        l->noise.finest = largest ? apart.linf : apart.l1 / sqrt(2);
+        l->noise.share = l->noise.finest / (largest ? first->error.linf : first->error.l1);
+    }
+    field_free(&f);
+}
+
 int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why) {
     double start = omp_get_wtime();
-    struct field kept[2] = {{0}, {0}};
-    *l = (struct ladder){.external = e->solve == run_program};
+    *l = (struct ladder){.asked = *rungs, .external = e->solve == run_program};
     if (plan(rungs, l, why)) return why->status;
     memcpy(l->vary, e->program.vary, sizeof l->vary);
     if (e->program.seeds > 1 && check_seeds(e, l, why)) return why->status;
-    if (e->program.seeds > 1)
-        climb_draws(e, rungs, l, kept);
-    else if (!l->in_time)
-        climb(e, rungs, l, NULL, kept);
-    else if (climb_in_time(e, rungs, l, why))
-        return why->status;
-    int status = collect(l, why);
-    if (!status_refused(status) || l->external) {
-        ladder_fit(l, e->derived ? LADDER_QUANTITY : rungs->norm);
-        judge(rungs, l);
-        int judged = rungs->expect.count || rungs->ceiling > 0;
-        int wanted = rungs->diagnose || (judged && l->verdict != VERDICT_PASS);
-        l->diagnosed = wanted && !l->in_time && !l->vary[0] && !l->failure.status;
-        struct inconclusive_noise noise = {0};
-        if (l->diagnosed) diagnose_ladder(e, kept, l, &noise);
-        l->noisy = noise.share > INCONCLUSIVE_NOISE;
-        if (judged && l->diagnosed && l->external) inconclusive_judge(rungs, &noise, &kept[0], &e->program.map, l);
-        l->seconds = omp_get_wtime() - start;
+    l->draws = e->program.seeds > 1 ? e->program.seeds : 0;
+    int status = climb_ladder(e, l, why);
+    if (status_refused(status) && !(l->external && l->failure.status)) return status;
+    ladder_fit(l, e->derived ? LADDER_QUANTITY : rungs->norm);
+    int judged = rungs->expect.count || rungs->ceiling > 0, wanted = judged && l->verdict != VERDICT_PASS;
+    l->open = (wanted || rungs->diagnose) && !l->in_time && !l->vary[0] && !l->failure.status;
+    if (l->open && l->external) {
+        question(e, l);
+        ladder_fit(l, l->norm);
     }
-    for (int k = 0; k < 2; k++) field_free(&kept[k]);
+    if (!l->open) ladder_free(l);
+    l->seconds = omp_get_wtime() - start;
     return status;
+}
+
+void ladder_free(struct ladder *l) {
+    for (int k = 0; k < 2; k++) field_free(&l->kept[k]);
 }

@@ -2,8 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_JUDGE_LADDER_H
 #define HEATLADDER_VERIFICATION_JUDGE_LADDER_H
 
-#include "verification/fault/diagnosis.h"
 #include "verification/solve/experiment.h"
+#include "verification/judge/judge.h"
 #include "verification/judge/result.h"
 #include "verification/judge/slope.h"
 #include "verification/text/verdict.h"
@@ -37,9 +37,11 @@ struct ladder_rungs {
     enum ladder_norm norm;  /* norm to fit and judge */
     int diagnose;           /* 1: diagnose also if the ladder passes or nothing is judged */
     int scattered;          /* 1: the points may be at any position, so errors may scatter (judge.h) */
+    int small_passes;       /* 1: an error far below the ceiling passes with any slope */
 };
 
 struct ladder {
+    struct ladder_rungs asked;
     int n;                /* number of rungs, coarsest first */
     int external;         /* 1: by an external program; failed and refused rungs are rows of the ladder */
     int in_time;          /* 1: x is dt, s; 0: x is dx, m, or the varied parameter */
@@ -50,7 +52,7 @@ struct ladder {
     struct result rung[RUNG_MAX];
     long long semidiscrete_steps; /* ladder in time: number of steps of the reference solution; 0: exact stepper */
     double semidiscrete_error;    /* error of the reference, see struct semidiscrete */
-    double x[RUNG_MAX];
+    double x[RUNG_MAX + 1];       /* of the rungs, and of --fine */
     enum ladder_norm norm;
     double error[RUNG_MAX];           /* in that norm; NaN if the run failed */
     int draws;                        /* draws per rung; the errors are their geometric means; 0 for one run */
@@ -61,16 +63,24 @@ struct ladder {
     struct failure failure; /* that of the first rung that failed numerically */
     enum verdict verdict;
     char reason[360];
-    int diagnosed; /* 1: `diagnosis` is set, for a ladder in space that did not pass, or on request */
-    struct diagnosis diagnosis;
-    int noisy; /* 1: the answers of a program differ between runs by more than a tenth of their error */
     double seconds;
+
+    /* For a diagnosis: known for a ladder in space that did not pass, or on request. */
+    int open;                 /* 1: known */
+    struct field kept[2];     /* owned: at the finest rung and at the one before; n = 0 if a rung has none */
+    struct judge_noise noise; /* of a program: between equal runs */
+    double printed;           /* of a program: the share of the printed digits in the finest error */
+    int digits;               /* how many are printed */
+    int named;                /* 1: a fault explains the errors (ladder_explained) */
 };
 
 /* Runs the rungs, finest first, in parallel unless the caller is; then fits rungs->norm and judges by rungs->expect
  * and rungs->ceiling.  Returns STATUS_OK, STATUS_INPUT with *why if a rung is refused, or STATUS_NUMERICAL if one
- * failed; *l is set except after a refusal. */
+ * failed; *l is set except after a refusal.  Release with ladder_free in any case. */
 int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why);
+
+/* Frees what *l owns. */
+void ladder_free(struct ladder *l);
 
 /* The error in a norm; NaN if the run failed. */
 double ladder_error_in(const struct result *r, enum ladder_norm norm);
@@ -81,8 +91,11 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm);
 /* Copies the included rungs, coarsest first, to x and error of RUNG_MAX each; returns their number. */
 int ladder_counted(const struct ladder *l, double *x, double *error);
 
-/* Sets verdict and reason against a band. */
+/* Judges the ladder against another band. */
 void ladder_judge(struct ladder *l, double lo, double hi);
+
+/* Judges it once more, where a fault explains the errors: then they need not be smooth. */
+void ladder_explained(struct ladder *l);
 
 /* The error at the finest rung that is included or exact to round-off, in the fitted norm; NaN if there is none. */
 double ladder_finest_error(const struct ladder *l);

@@ -106,6 +106,41 @@ static void fit_draws(struct ladder *l) {
     l->slope.n = rungs;
 }
 
+/* The facts of the rungs, and of the program's answers if they are known, to the judge. */
+static void judge(struct ladder *l) {
+    double x[RUNG_MAX], error[RUNG_MAX];
+    struct judge_facts f = {
+        .rungs = {x, error, ladder_counted(l, x, error), l->window.scattered, l->draws > 1 ? &l->slope : NULL},
+        .x = l->x,
+        .error = l->error,
+        .n = l->n,
+        .finest_exact = l->n > 0 && l->window.exact[l->n - 1],
+        .finest = ladder_finest_error(l),
+        .band = l->asked.expect.count ? l->asked.expect.value : NULL,
+        .ceiling = l->asked.ceiling,
+        .small_passes = l->asked.small_passes,
+        .failure = l->failure,
+        .answers = l->open && l->external,
+        .noise = l->noise,
+        .printed = l->printed,
+        .digits = l->digits,
+        .named = l->named};
+    for (int i = 0; i < l->n; i++) f.exact += l->window.exact[i];
+    struct judge_verdict v = judge_ladder(&f);
+    l->verdict = v.verdict;
+    snprintf(l->reason, sizeof l->reason, "%s", v.reason);
+}
+
+void ladder_judge(struct ladder *l, double lo, double hi) {
+    l->asked.expect = (struct numbers){.count = 2, .value = {lo, hi}};
+    judge(l);
+}
+
+void ladder_explained(struct ladder *l) {
+    l->named = 1;
+    judge(l);
+}
+
 void ladder_fit(struct ladder *l, enum ladder_norm norm) {
     struct window_rung rung[RUNG_MAX];
     double x[RUNG_MAX], error[RUNG_MAX];
@@ -126,26 +161,12 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
     }
     slope_local(l->x, l->error, l->n, l->local);
     window_choose(rung, l->n, &l->window);
+    l->window.scattered |= l->asked.scattered;
     for (int i = 0; i < l->n; i++)
         if (l->rung[i].failure.status) l->window.counts[i] = 0;
     l->slope = slope_fit(x, error, ladder_counted(l, x, error));
     if (l->draws > 1) fit_draws(l);
-    l->verdict = isfinite(l->slope.value) && l->slope.n >= WINDOW_LEAST ? VERDICT_MEASURED : VERDICT_INCONCLUSIVE;
-    snprintf(l->reason, sizeof l->reason, "%d of %d rungs count%s", l->slope.n, l->n,
-             l->slope.n < WINDOW_LEAST ? ", at least four must" : "");
-    if (l->failure.status) l->verdict = VERDICT_FAIL;
-    if (l->failure.status) snprintf(l->reason, sizeof l->reason, "a rung failed: %.200s", l->failure.text);
-    if (l->failure.status != STATUS_SKIPPED) return;
-    l->verdict = VERDICT_SKIPPED;
-    snprintf(l->reason, sizeof l->reason, "%.200s", l->failure.text);
-}
-
-void ladder_judge(struct ladder *l, double lo, double hi) {
-    double x[RUNG_MAX], error[RUNG_MAX];
-    if (l->failure.status) return; /* a failed rung fails the ladder */
-    struct judged judged = {x, error, ladder_counted(l, x, error), l->window.scattered,
-                            l->draws > 1 ? &l->slope : NULL};
-    l->verdict = judge_order(&judged, lo, hi, l->reason, sizeof l->reason);
+    judge(l);
 }
 
 void ladder_json(const struct ladder *l, struct json *j) {
@@ -164,5 +185,4 @@ void ladder_json(const struct ladder *l, struct json *j) {
     json_numbers(j, "slope_ci95", l->slope.ci, 2);
     json_numbers(j, "local_slopes", l->local, l->n - 1);
     json_add(j, "verdict %s|reason %s", verdict_words[l->verdict], l->reason);
-    diagnosis_json(&l->diagnosis, j);
 }

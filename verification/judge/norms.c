@@ -2,12 +2,16 @@
 /* Norms of the error (Song 2018, eq. 46); range, variation and heat of a field. */
 #include "verification/judge/norms.h"
 
+#include "references/mapping.h"
 #include "references/snapshot.h"
 #include "solver/method.h"
 #include "solver/shape.h"
+#include "verification/text/number.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static double weight(const struct field *f, size_t i) {
     return f->weight ? f->weight[i] : 1;
@@ -168,4 +172,30 @@ struct norms_shape norms_shape(const struct problem *p, const struct field *f, d
 
 double norms_heat_drift(const struct field *f) {
     return (f->heat[1] - f->heat[0]) / fabs(f->heat[0]);
+}
+
+/* Rounding to a unit u has a mean error of u/4.  The unit of T is that of its last digit: of `digits` significant
+ * ones (%g, %e), or of the largest number of decimals of any T (%f), whichever is coarser.  A program prints T of the
+ * case; mapping to the scene and back adds rounding errors of the largest T or of the offset. */
+double norms_digits(const struct field *f, const struct mapping *map, int *digits) {
+    enum { POINTS = 500 };
+    size_t stride = f->n / POINTS + 1;
+    int decimals = 400;
+    char text[NUMBER_PRINTED];
+    double units = 0, sum = 0, scale = mapping_scale(map);
+    double off = mapping_is_none(map) ? 0 : 4 * DBL_EPSILON * (scale * field_largest(f) + fabs(map->offset));
+    *digits = 0;
+    for (size_t i = 0; i < f->n; i += stride) {
+        double T = mapping_temperature(map, f->T[i]);
+        if (fabs(T) <= off) continue;
+        int n = number_digits(T, off / fabs(T), 17, text), last = atoi(strchr(text, 'e') + 1) - n + 1;
+        if (n > *digits) *digits = n;
+        if (last < decimals) decimals = last; /* the power of ten of the last digit */
+    }
+    for (size_t i = 0; i < f->n; i += stride) {
+        double T = fabs(mapping_temperature(map, f->T[i]));
+        if (T > off) units += pow(10, fmax(floor(log10(T)) + 1 - *digits, decimals));
+        sum += scale * fabs(f->T[i]);
+    }
+    return sum > 0 ? units / 4 / sum : 0;
 }

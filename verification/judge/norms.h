@@ -10,6 +10,7 @@
 
 struct failure;
 struct field;
+struct mapping;
 struct problem;
 struct scene;
 
@@ -55,6 +56,10 @@ struct norms_shape norms_shape(const struct problem *p, const struct field *f, d
 
 /* (final heat - initial heat) / |initial heat| */
 double norms_heat_drift(const struct field *f);
+
+/* Mean relative rounding error of the printed T in terms of E1 (at most half of its maximum), and the number of
+ * digits. *f is of the scene, *map from there to the case, whose temperatures a program printed. */
+double norms_digits(const struct field *f, const struct mapping *map, int *digits);
 
 /* The largest amplitude, K, among the modes of the error T - exact with 2 to 4 points per wavelength along some
  * axis; a pure mode of amplitude c gives c.  NaN if the field is not on a lattice.  Overwrites `exact` (T from

@@ -73,23 +73,29 @@ static void take_error(struct result *r, struct norms_error apart) {
     r->reference_error = 0;
 }
 
+/* The field that rung i is measured against: that of --fine, or that of the next rung. */
+static int reference_of(const struct ladder *l, int i) {
+    return l->fine > 0 ? l->n : i + 1;
+}
+
 /* Factor of the difference between runs at dt and at a finer step.  A program that chooses its own step runs twice
  * at the same one; the difference is then an error as it is. */
 static double extrapolated(double dt, double finer, double p) {
     return finer < dt ? 1 / (1 - pow(finer / dt, p)) : 1;
 }
 
+/* dt: of the rungs, and at l->n of the last field. */
 static void extrapolate(struct ladder *l, const double *dt) {
     double p = 1, d[RUNG_MAX], error[RUNG_MAX];
     for (int i = 0; i < l->n; i++) error[i] = d[i] = l->rung[i].error.l1;
     for (int fit = 0; fit < FITS; fit++) {
-        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
+        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(dt[i], dt[reference_of(l, i)], p);
         double next = slope_fit(dt, error, l->n).value;
         if (!(isfinite(next) && next > LEAST)) break;
         p = next;
     }
     for (int i = 0; i < l->n; i++) {
-        double more = extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
+        double more = extrapolated(dt[i], dt[reference_of(l, i)], p);
         struct norms_error *e = &l->rung[i].error;
         e->l1 *= more, e->l2 *= more, e->linf *= more;
         l->x[i] = dt[i];
@@ -106,47 +112,18 @@ int self_difference_fields(const struct problem *p, const struct field *a, const
     return same;
 }
 
-/* Runs the rungs; dt[i] is the step used.  The error of a rung is its difference from *to, or from the next rung if
- * that is NULL. */
-static int climb(const struct experiment *rung, const struct field *to, struct ladder *l, double *dt,
-                 struct failure *why) {
-    struct field before = {0};
-    int status = STATUS_OK;
-    for (int i = 0; i < l->n && !status; i++) {
-        struct field f = {0};
+int self_difference_errors(const struct problem *p, const struct field *field, const double *dt, struct ladder *l,
+                           struct failure *why) {
+    for (int i = 0; i < l->n; i++) {
         struct norms_error apart;
-        int of = to ? i : i - 1;
-        status = run_experiment(&rung[i], &l->rung[i], &f);
-        if (status) *why = l->rung[i].failure;
-        dt[i] = l->rung[i].dt > 0 ? l->rung[i].dt : l->x[i];
-        if (!status && of >= 0) {
-            if (self_difference_fields(&rung[i].problem, to ? &f : &before, to ? to : &f, &apart))
-                take_error(&l->rung[of], apart);
-            else
-                status = refuse(
-                    why, STATUS_INPUT,
-                    "a ladder in time needs all runs on one grid: at %g s the points differ from those of %s%g s",
-                    l->x[i], to ? "--fine " : "", to ? l->fine : l->x[of]);
-        }
-        field_free(&before);
-        before = f;
+        int of = reference_of(l, i), fine = l->fine > 0;
+        if (!self_difference_fields(p, &field[i], &field[of], &apart))
+            return refuse(
+                why, STATUS_INPUT,
+                "a ladder in time needs all runs on one grid: at %g s the points differ from those of %s%g s",
+                dt[fine ? i : of], fine ? "--fine " : "", dt[fine ? of : i]);
+        take_error(&l->rung[i], apart);
     }
-    field_free(&before);
-    return status;
-}
-
-int self_difference_climb(const struct experiment *rung, const struct experiment *fine, struct ladder *l,
-                          struct failure *why) {
-    double dt[RUNG_MAX];
-    struct field last = {0};
-    struct result result = {.dt = 0};
-    int status = fine ? run_experiment(fine, &result, &last) : STATUS_OK;
-    if (status) *why = result.failure;
-    if (!status) status = climb(rung, fine ? &last : NULL, l, dt, why);
-    field_free(&last);
-    if (status) return status;
-    if (!fine) l->n--;
-    if (result.dt > 0) l->fine = result.dt;
     l->self_differences = 1;
     extrapolate(l, dt);
     return STATUS_OK;

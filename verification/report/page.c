@@ -149,7 +149,8 @@ int page_gates_write(const struct gates *g, const char *title, const char *comma
     return output_close(page, 2, why);
 }
 
-int page_ladder_write(const struct ladder *l, const char *command, const char *path, struct failure *why) {
+int page_ladder_write(const struct ladder *l, const struct diagnosis *d, const char *command, const char *path,
+                      struct failure *why) {
     struct output page;
     char title[240], slope[240];
     FILE *out = output_open(&page, "%s", path);
@@ -159,8 +160,8 @@ int page_ladder_write(const struct ladder *l, const char *command, const char *p
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, verdict_words[l->verdict]);
     html_print(out, ": %s</p>\n<p>%s.</p>\n", l->reason, slope);
-    if (l->diagnosed) {
-        wording_text(&l->diagnosis, slope, sizeof slope);
+    if (l->open) {
+        wording_text(d, slope, sizeof slope);
         put_diagnosis(slope, "", out);
     }
     struct table rungs = ladder_table(l, 0);

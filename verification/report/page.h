@@ -20,7 +20,8 @@ void page_origin(char *text, size_t size);
  * file.  A status of solver/status.h. */
 int page_gates_write(const struct gates *g, const char *title, const char *command, const char *path,
                      struct failure *why);
-int page_ladder_write(const struct ladder *l, const char *command, const char *path, struct failure *why);
+int page_ladder_write(const struct ladder *l, const struct diagnosis *d, const char *command, const char *path,
+                      struct failure *why);
 
 /* verdict.html -> verdict.csv */
 void page_data_path(const char *path, char *data, size_t size);

@@ -7,6 +7,7 @@
 #include "verification/solve/program.h"
 #include "verification/judge/run.h"
 
+#include "verification/fault/diagnose.h"
 #include "verification/gates/ceiling.h"
 #include "verification/unit/battery_row.h"
 #include "verification/unit/scratch_path.h"
@@ -160,6 +161,7 @@ static void faults_hidden_in_one_field_are_diagnosed(void **state) {
     struct command r;
     struct failure why = {0};
     struct ladder *l = xcalloc(1, sizeof *l);
+    struct diagnosis d;
     char line[400], command[300];
     for (int k = 0; k < 3; k++) {
         snprintf(command, sizeof command, "%s --solve cell mean 0.25 %s {case} {out}", self, code[k]);
@@ -175,8 +177,10 @@ static void faults_hidden_in_one_field_are_diagnosed(void **state) {
     if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     r.rungs.diagnose = 1;
     ladder_run(&r.experiment, &r.rungs, l, &why);
-    assert_has(l->diagnosis.what, says[0]);
+    diagnose_ladder(&r.experiment, l, &d);
+    assert_has(d.what, says[0]);
     command_free(&r);
+    ladder_free(l);
     free(l);
 }
 
@@ -299,6 +303,7 @@ static void printed_command_repeats_a_failure(void **state) {
     ladder_run(&r.experiment, &r.rungs, l, &why);
     assert_int_equal(l->verdict, VERDICT_FAIL);
     command_free(&r);
+    ladder_free(l);
     free(l);
     gates_free(&g);
 }

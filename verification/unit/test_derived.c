@@ -128,6 +128,7 @@ static void climb(const char *line, struct ladder *l, int wanted, const char *be
     if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
     if (status != wanted || !strstr(why.text, because)) fail_msg("%s: %d, %s", line, status, why.text);
     command_free(&r);
+    ladder_free(l);
 }
 
 static void derived_quantities_have_ladders(void **state) {

@@ -2,6 +2,7 @@
 /* Correct or undecidable answers do not fail: exact, noisy, or with few digits. */
 #include "verification/unit/made_answers.inc"
 
+#include "verification/fault/diagnose.h"
 #include "verification/judge/command.h"
 #include "verification/solve/program.h"
 #include "verification/judge/ladder.h"
@@ -31,8 +32,11 @@ static void ladder(const char *line, const char *made, struct ladder *l) {
     char command[600];
     snprintf(command, sizeof command, "%.250s --solver '%s --made %s {case} {out}'", line, self, made);
     if (command_read(command, &r, &why)) fail_msg("%s: %s", command, why.text);
+    struct diagnosis d;
     if (ladder_run(&r.experiment, &r.rungs, l, &why)) fail_msg("%s: %s", command, why.text);
+    diagnose_ladder(&r.experiment, l, &d);
     command_free(&r);
+    ladder_free(l);
 }
 
 static void an_exact_code_passes(void **state) {

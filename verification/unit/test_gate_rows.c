@@ -72,6 +72,7 @@ static void gate_command_runs_as_printed(void **state) {
         assert_int_equal(l->verdict, m.verdict);
         assert_string_equal(l->reason, m.reason);
         command_free(&r);
+        ladder_free(l);
         free(l);
     }
     const struct gate other = {"symmetry/odd", TIER_QUICK, "symmetry", "run plate ftcs --dx 0.005", 2, 2, 1,

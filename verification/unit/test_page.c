@@ -214,8 +214,9 @@ static const char *ladder_page(const char *line) {
     struct failure why;
     assert_int_equal(command_read(line, &r, &why), 0);
     assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), 0);
-    assert_int_equal(page_ladder_write(l, r.typed, path_of("l.html"), &why), 0);
+    assert_int_equal(page_ladder_write(l, &(struct diagnosis){0}, r.typed, path_of("l.html"), &why), 0);
     command_free(&r);
+    ladder_free(l);
     free(l);
     return take("l.html");
 }

@@ -49,6 +49,7 @@ static void climb(const char *line, struct ladder *l, int wanted) {
     int status = ladder_run(&r.experiment, &r.rungs, l, &why);
     if (status != wanted) fail_msg("%s: %d, %s", line, status, why.text);
     command_free(&r);
+    ladder_free(l);
 }
 
 static void run_all(void) {

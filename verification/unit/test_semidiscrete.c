@@ -69,6 +69,7 @@ static void climb(const char *options, const struct method *m, int status, struc
     int got = ladder_run(&r.experiment, &r.rungs, l, why);
     if (got != status) fail_msg("%s: status %d, %s", line, got, why->text);
     command_free(&r);
+    ladder_free(l);
 }
 
 /* t_end = 5 s: one step and two agree to 3.75e-10; or, with eigenvalues off the axis, 8 steps are too few and 16
