@@ -70,50 +70,48 @@ static struct slope fit(const struct work *w, int method, int published) {
 }
 
 static void write_protocol(const struct work *w, struct document *d) {
-    document_table(d, "method|dx [m]|published|measured|ratio|last digit|against the bounded solution");
+    struct table t =
+        table_headed(1, "method|dx [m]|published|measured|ratio|last digit|against the bounded solution");
     for (int m = 0; m < w->t.rows; m++)
         for (int i = 0; i < w->t.columns; i++) {
             const struct cell *e = cell_of(w, 0, m, i);
-            document_cell(d, "%s", label_of(w->t.method[m]));
-            document_cell(d, "%s", w->t.where[i]);
-            document_cell(d, "%s", w->t.cell[m][i]);
-            document_cell(d, "%.4e", e->printed);
-            document_cell(d, "%.4f", e->printed / w->t.value[m][i]);
-            document_cell(d, "%+.0f", published_units(w->t.cell[m][i], e->printed));
-            document_cell(d, "%.4e", e->bounded);
+            table_add(&t, "%s|%s|%s|%.4e|%.4f|%+.0f|%.4e", label_of(w->t.method[m]), w->t.where[i], w->t.cell[m][i],
+                      e->printed, e->printed / w->t.value[m][i], published_units(w->t.cell[m][i], e->printed),
+                      e->bounded);
         }
+    document_table(d, &t);
     document_text(d, "Last digit: the difference in units of the last printed digit, after rounding.");
-    document_table(d, "method|slope of the published numbers|slope measured|95 % interval");
+    t = table_headed(1, "method|slope of the published numbers|slope measured|95 % interval");
     for (int m = 0; m < w->t.rows; m++) {
         struct slope s = fit(w, m, 0);
-        document_cell(d, "%s", label_of(w->t.method[m]));
-        document_cell(d, "%.3f", fit(w, m, 1).value);
-        document_cell(d, "%.3f", s.value);
-        document_cell(d, "%.3f to %.3f", s.ci[0], s.ci[1]);
+        table_add(&t, "%s|%.3f|%.3f|%.3f to %.3f", label_of(w->t.method[m]), fit(w, m, 1).value, s.value, s.ci[0],
+                  s.ci[1]);
     }
+    document_table(d, &t);
 }
 
 static void write_choices(const struct work *w, struct document *d) {
+    struct table t = table_create(3 + w->t.columns, 3);
     document_heading(d, "What the choices change");
     document_text(d, "Measured over published, by dx [m].");
-    document_table(d, "choice|options|method");
-    for (int i = 0; i < w->t.columns; i++) document_header(d, "%s", w->t.where[i]);
+    table_add(&t, "choice|options|method");
+    for (int i = 0; i < w->t.columns; i++) table_add(&t, "%s", w->t.where[i]);
     for (int k = 0; k < w->choices; k++)
         for (int m = 0; m < w->t.rows; m++) {
-            document_cell(d, "%s", w->c->choice[k].label);
-            document_cell(d, "`%s`", w->c->choice[k].options);
-            document_cell(d, "%s", label_of(w->t.method[m]));
+            table_add(&t, "%s|`%s`|%s", w->c->choice[k].label, w->c->choice[k].options, label_of(w->t.method[m]));
             for (int i = 0; i < w->t.columns; i++)
-                document_cell(d, "%.4f", cell_of(w, k, m, i)->printed / w->t.value[m][i]);
+                table_add(&t, "%.4f", cell_of(w, k, m, i)->printed / w->t.value[m][i]);
         }
+    document_table(d, &t);
     for (int i = 0; w->c->note[i]; i++) document_text(d, "%s", w->c->note[i]);
 }
 
 /* One block a method, of the measured or the published errors. */
 static void write_points(const struct work *w, int m, int published, FILE *out) {
     const char *what = published ? "published" : "measured", *label = label_of(w->t.method[m]);
-    fprintf(out, "\n\n# %s %s\ndx [m],\"%s %s (slope %.2f)\"\n", w->t.method[m], what, label, what,
-            fit(w, m, published).value);
+    char columns[80];
+    snprintf(columns, sizeof columns, "dx [m],\"%s %s (slope %.2f)\"", label, what, fit(w, m, published).value);
+    figure_block(out, columns, "%s %s", w->t.method[m], what);
     for (int i = 0; i < w->t.columns; i++)
         fprintf(out, "%s,%.6e\n", w->t.where[i], published ? w->t.value[m][i] : cell_of(w, 0, m, i)->printed);
 }
@@ -132,7 +130,7 @@ static int write_pages(const struct work *w, const char *dir, struct failure *wh
     char ladder[300];
     FILE *out = output_open(&figure, "%s/%s.csv", dir, w->c->figure);
     document_open(&d, dir, w->c->table, w->c->table_title);
-    figure_head(out, w->c->figure_title);
+    fprintf(out, "# title: %s\n# made by: heatladder report DIR\n", w->c->figure_title);
     for (int m = 0; m < w->t.rows; m++) {
         ladder_of(w, m, ladder, sizeof ladder);
         document_command(&d, "%s", ladder);

@@ -18,23 +18,34 @@ enum figure_part {
     FIGURE_CUT,       /* `run`: x,T along y = at */
     FIGURE_EXACT,     /* `reference`: x,T finely, of a rod or along the y of --at */
     FIGURE_ISOTHERMS, /* `run`: x,y,T by rows, of the particles and of the exact solution; and E in % */
+    FIGURE_ERROR,     /* `run`: x,y,|T - T_exact|; in space of the layer nearest to z = at, by rows */
+    FIGURE_ROWS,      /* a row a value, of keys of the command's JSON (reading.h) */
 };
 
 struct figure_series {
     const char *name; /* NULL ends the list */
     const char *command;
     enum figure_part part;
-    double at; /* m */
+    double at;                                 /* m */
+    const char *columns, *keys, *const *value; /* FIGURE_ROWS: header, blank-separated keys; %s of the command is one
+                                                  value after the other, ended by NULL */
 };
+
+/* Rows of the table of series: of a field, and of readings; {0} ends it. */
+#define FIGURE_FIELD(name, command, part, at)                                                                        \
+    { name, command, part, at, NULL, NULL, NULL }
+#define FIGURE_READ(name, command, columns, keys, values)                                                            \
+    { name, command, FIGURE_ROWS, 0, columns, keys, values }
 
 struct figure {
     const char *name; /* name of the file, without .csv; NULL ends a list */
     const char *title;
-    const struct figure_series *series; /* at most 10 */
+    const struct figure_series *series;
 };
 
-/* The first lines of a data file: its title, and how to make it again.  "# command: ..." lines may follow. */
-void figure_head(FILE *out, const char *title);
+/* The first lines of a data file: its title, how to make it again, and a command that gives a number of it.  More
+ * lines "# command: ..." may follow. */
+void figure_head(FILE *out, const char *title, const char *command, ...) __attribute__((format(printf, 3, 4)));
 
 /* A data file that is made by one function: `write` fills it, STATUS_OK or *why. */
 struct figure_page {
@@ -48,5 +59,11 @@ int figure_pages(const struct figure_page *pages, size_t count, const char *dir,
 /* Runs the commands of the series in parallel and puts NAME.csv into `dir`: STATUS_OK, or *why of a run or the file.
  */
 int figure_write(const struct figure *figure, const char *dir, struct failure *why);
+
+/* The same for each of a list. */
+int figure_write_all(const struct figure *figures, const char *dir, struct failure *why);
+
+/* The head of a block: its name (printf-like) and its columns. */
+void figure_block(FILE *out, const char *columns, const char *name, ...) __attribute__((format(printf, 3, 4)));
 
 #endif

@@ -21,7 +21,7 @@ do for [i = 1:words(times)] {
     splot data index time . ' computed' using 1:2:3
     unset table
     set datafile separator whitespace
-    error = system(sprintf("grep -A 3 '^# %s error$' '%s' | tail -n 1", time, data))
+    error = system(sprintf("grep -A 2 '^# %s error$' '%s' | tail -n 1", time, data))
     set title sprintf('%s,  E = %.1f %%', time, error + 0) font size_of(12) offset 0, -0.6
     set xlabel (i > words(times) - columns ? 'x  [m]' : '')
     set ylabel (i % columns == 1 ? 'y  [m]' : '')

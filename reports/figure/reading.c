@@ -106,6 +106,15 @@ double reading_value(const struct reading *r, const char *key) {
     return key[length] == '/' ? value / number(r, key + length + 1, strlen(key + length + 1)) : value;
 }
 
+void reading_row(const struct reading *r, const char *keys, FILE *out) {
+    char key[80];
+    for (size_t n; *keys; keys += n + (keys[n] == ' ')) {
+        n = strcspn(keys, " ");
+        snprintf(key, sizeof key, "%.*s", (int)n, keys);
+        fprintf(out, "%.6g%c", reading_value(r, key), keys[n] ? ',' : '\n');
+    }
+}
+
 void reading_text(const struct reading *r, const char *key, char *text, size_t size) {
     const char *at = find(r, key, strlen(key));
     *text = '\0';

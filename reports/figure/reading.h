@@ -7,6 +7,8 @@
 
 #include "solver/status.h"
 
+#include <stdio.h>
+
 struct reading {
     char command[400];      /* a run, ladder or limit, as typed after the program's name */
     char *json;             /* owned: its output; NULL where there is none */
@@ -30,6 +32,9 @@ double reading_value(const struct reading *r, const char *key);
 
 /* The text under a key, cut to size; "" where that is null. */
 void reading_text(const struct reading *r, const char *key, char *text, size_t size);
+
+/* The numbers under blank-separated keys, as a line of CSV. */
+void reading_row(const struct reading *r, const char *keys, FILE *out);
 
 void reading_free(struct reading *r, int count);
 

@@ -95,20 +95,18 @@ void claims_write_json(const struct claims *c, FILE *out) {
 
 static void put_table(const struct claims *c, const char *title, const char *paper, struct document *d) {
     char numbers[NUMBERS], published[PUBLISHED];
-    document_heading(d, "%s", title);
-    document_table(d, "claim|source|published|measured|verdict|why");
+    struct table t = table_headed(6, "claim|source|published|measured|verdict|why");
     for (int i = 0; i < c->count; i++) {
         const struct claims_result *r = &c->result[i];
         if (strncmp(r->row->id, paper, strlen(paper)) != 0) continue;
         claims_numbers(&r->measured, numbers, sizeof numbers);
         claims_published(r, published, sizeof published);
-        document_cell(d, "%s", r->row->id);
-        document_cell(d, "%s", r->row->source);
-        document_cell(d, "%s", published);
-        document_cell(d, "%s", numbers);
-        document_cell(d, "%s", verdict_of(r));
-        document_cell(d, "%s", r->measured.reason);
+        const char *const cell[] = {r->row->id, r->row->source, published,
+                                    numbers,    verdict_of(r),  r->measured.reason};
+        for (int k = 0; k < 6; k++) table_add(&t, "%s", cell[k]);
     }
+    document_heading(d, "%s", title);
+    document_table(d, &t);
 }
 
 int claims_write_files(const struct claims *c, const char *dir, struct failure *why) {
@@ -122,8 +120,8 @@ int claims_write_files(const struct claims *c, const char *dir, struct failure *
             "at; reproduced with a condition where it holds as published alone or under one reading alone; not "
             "explained where a number of theirs comes out under no reading that was tried; else contradicted. "
             "Numbers decide, by the rule that stands first under why.");
-    document_text(&d, "%d claims: %d reproduced, %d with a condition, %d contradicted, %d not explained.", c->count,
-                  counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
+    document_text(&d, "%d statements: %d reproduced, %d with a condition, %d contradicted, %d not explained.",
+                  c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
                   counts[CLAIMS_UNEXPLAINED]);
     if (changed) document_text(&d, "%d verdicts differ from those expected.", changed);
     put_table(c, "Song, Xing, Hou, Lu 2018", "song/", &d);

@@ -13,9 +13,8 @@
 #include "solver/space/operator.h"
 #include "reports/figure/document.h"
 #include "reports/figure/figure.h"
-#include "reports/operators/candidates.h"
+#include "reports/figure/reading.h"
 #include "verification/judge/command.h"
-#include "verification/judge/command_run.h"
 #include "verification/judge/ladder.h"
 #include "verification/stability/model_problem.h"
 #include "verification/stability/spectrum.h"
@@ -26,6 +25,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* The clouds and the operators side by side. */
 const struct cloud_kind operators_clouds[CLOUDS] = {
     {"lattice", "", LAYOUT_JITTER, 0},
     {"hexagonal", " --layout hexagonal", LAYOUT_HEXAGONAL, 0},
@@ -107,22 +107,24 @@ static double finest_error(const struct order *o) {
 
 static void tabulate_orders(const struct order *all, struct document *d) {
     for (int t = 0; t < TRIALS; t++) {
-        document_heading(d, "%s%s --dx %s", trials[t].scene, trials[t].options, trials[t].dx);
-        document_text(d, "Order of E1 with its 95 %% interval, and E1 at the finest rung.");
-        document_table(d, "operator");
-        for (int c = 0; c < CLOUDS; c++) document_header(d, "%s", operators_clouds[c].name);
+        struct table out = table_create(1 + CLOUDS, 1);
+        table_add(&out, "operator");
+        for (int c = 0; c < CLOUDS; c++) table_add(&out, "%s", operators_clouds[c].name);
         for (int k = 0; k < OPERATORS; k++) {
             if (operators[k].materials != trials[t].materials) continue;
-            document_cell(d, "`%s%s`", operators[k].method, operators[k].options);
+            table_add(&out, "`%s%s`", operators[k].method, operators[k].options);
             for (int c = 0; c < CLOUDS; c++) {
                 const struct order *o = &all[(k * CLOUDS + c) * TRIALS + t];
                 const struct slope *s = &o->ladder.slope;
                 if (without_order(o))
-                    document_cell(d, "%s", without_order(o));
+                    table_add(&out, "%s", without_order(o));
                 else
-                    document_cell(d, "%.2f (%.2f to %.2f), %.1e", s->value, s->ci[0], s->ci[1], finest_error(o));
+                    table_add(&out, "%.2f (%.2f to %.2f), %.1e", s->value, s->ci[0], s->ci[1], finest_error(o));
             }
         }
+        document_heading(d, "%s%s --dx %s", trials[t].scene, trials[t].options, trials[t].dx);
+        document_text(d, "Order of E1 with its 95 %% interval, and E1 at the finest rung.");
+        document_table(d, &out);
     }
 }
 
@@ -150,17 +152,16 @@ static const struct order *worked(const struct order *all, int row, int cloud) {
 }
 
 static void write_work(const struct order *all, FILE *out) {
-    figure_head(out, "rect-manufactured: error against work");
-    fprintf(out,
-            "# command: heatladder ladder rect-manufactured so_ssph --set k_y=0.02 --layout relaxed --seed 1 --dx "
-            "%s\n",
-            trials[WORKED].dx);
+    figure_head(out, "rect-manufactured: error against work",
+                "ladder rect-manufactured so_ssph --set k_y=0.02 --layout relaxed --seed 1 --dx %s",
+                trials[WORKED].dx);
     for (int k = 0; k < WORKED_ON * OPERATORS; k++) {
         const struct candidate_operator *o = &operators[k % OPERATORS];
         const struct order *order = worked(all, k % OPERATORS, k / OPERATORS);
+        char columns[80];
         if (o->materials != trials[WORKED].materials) continue;
-        fprintf(out, "\n\n# %s %s\ninteractions,%s,dx [m]\n", o->method,
-                operators_clouds[worked_on[k / OPERATORS]].name, o->method);
+        snprintf(columns, sizeof columns, "interactions,%s,dx [m]", o->method);
+        figure_block(out, columns, "%s %s", o->method, operators_clouds[worked_on[k / OPERATORS]].name);
         for (int i = 0; i < order->ladder.n && !without_order(order); i++) {
             const struct result *r = &order->ladder.rung[i];
             fprintf(out, "%lld,%.5e,%g\n", r->cost.interactions, r->error.l1, r->options.dx);
@@ -180,45 +181,37 @@ static const int drawn[] = {0, 2, 4}; /* indices of clouds */
 
 enum { LENGTHS = 8, DRAWN = 3 };
 
-struct neighbours_run {
-    int status;
-    double neighbours, error;
-    struct failure why;
-};
-
-static void take_neighbours(int k, struct neighbours_run *n) {
-    const struct candidate_operator *o = &operators[k / LENGTHS % OPERATORS];
-    struct command_run run;
-    if (o->materials != 1 || !has_h(o->method)) return;
-    command_run_line(&run, "run rect-manufactured %s --set k_y=0.02 --dx 0.025 --h %g%s", o->method,
-                     lengths[k % LENGTHS], operators_clouds[drawn[k / (LENGTHS * OPERATORS)]].options);
-    n->status = command_run_check(&run, &n->why);
-    n->neighbours = (double)run.result.cost.interactions / (double)run.result.cost.updates;
-    n->error = run.result.error.l1;
-    command_run_free(&run);
+/* Growing or singular operators are omitted. */
+static int put_neighbours(const struct reading *r, FILE *out, struct failure *why) {
+    for (int k = 0; k < DRAWN * OPERATORS; k++) {
+        const struct candidate_operator *o = &operators[k % OPERATORS];
+        char columns[80];
+        if (o->materials != 1 || !has_h(o->method)) continue;
+        snprintf(columns, sizeof columns, "neighbours,%s,h/dx", o->method);
+        figure_block(out, columns, "%s %s", o->method, operators_clouds[drawn[k / OPERATORS]].name);
+        for (int i = 0; i < LENGTHS; i++, r++) {
+            if (r->failure.status == STATUS_INPUT) return *why = r->failure, STATUS_INPUT;
+            if (!r->failure.status) reading_row(r, "interactions/updates error_l1 h", out);
+        }
+    }
+    return STATUS_OK;
 }
 
 static int write_neighbours(FILE *out, struct failure *why) {
     enum { RUNS = DRAWN * OPERATORS * LENGTHS };
-    struct neighbours_run *all = xcalloc(RUNS, sizeof *all);
-    int status = STATUS_OK;
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int k = RUNS - 1; k >= 0; k--) take_neighbours(k, &all[k]);
-    figure_head(out, "rect-manufactured, dx = 0.025 m: error against neighbours");
-    fprintf(
-        out,
-        "# command: heatladder run rect-manufactured so_ssph --set k_y=0.02 --dx 0.025 --h 1.1 --layout relaxed\n");
-    for (int k = 0; k < RUNS && !status; k++) {
+    struct reading *all = xcalloc(RUNS, sizeof *all);
+    int count = 0, status;
+    for (int k = 0; k < RUNS; k++) {
         const struct candidate_operator *o = &operators[k / LENGTHS % OPERATORS];
         if (o->materials != 1 || !has_h(o->method)) continue;
-        if (k % LENGTHS == 0)
-            fprintf(out, "\n\n# %s %s\nneighbours,%s,h/dx\n", o->method,
-                    operators_clouds[drawn[k / (LENGTHS * OPERATORS)]].name, o->method);
-        if (all[k].status == STATUS_INPUT) /* growing or singular operators are omitted */
-            status = STATUS_INPUT, *why = all[k].why;
-        else if (!all[k].status)
-            fprintf(out, "%.3f,%.5e,%g\n", all[k].neighbours, all[k].error, lengths[k % LENGTHS]);
+        reading_set(&all[count++], "run rect-manufactured %s --set k_y=0.02 --dx 0.025 --h %g%s", o->method,
+                    lengths[k % LENGTHS], operators_clouds[drawn[k / (LENGTHS * OPERATORS)]].options);
     }
+    reading_run(all, count, why);
+    figure_head(out, "rect-manufactured, dx = 0.025 m: error against neighbours",
+                "run rect-manufactured so_ssph --set k_y=0.02 --dx 0.025 --h 1.1 --layout relaxed");
+    status = put_neighbours(all, out, why);
+    reading_free(all, count);
     free(all);
     return status;
 }
@@ -247,20 +240,20 @@ static double step_of(const struct candidate_operator *o, const struct cloud_kin
 }
 
 /* The largest drift of rod-cosine's heat on a cloud. */
-static void put_heat(const struct order *of, struct document *d) {
+static void put_heat(const struct order *of, struct table *t) {
     double drift = 0;
     for (int c = 0; c < CLOUDS; c++) {
         const struct ladder *l = &of[c * TRIALS].ladder;
         if (!without_order(&of[c * TRIALS])) drift = fmax(drift, fabs(l->rung[l->n - 1].heat_drift));
     }
     if (drift < 1e-11)
-        document_cell(d, "kept"); /* to rounding */
+        table_add(t, "kept"); /* to rounding */
     else
-        document_cell(d, "%.0e", drift);
+        table_add(t, "%.0e", drift);
 }
 
 /* Least and largest order on the clouds, and the largest E1 of a cloud over that of the lattice. */
-static void put_order(const struct order *of, int trial, struct document *d) {
+static void put_order(const struct order *of, int trial, struct table *t) {
     double least = INFINITY, most = -INFINITY, worst = 0;
     int failed = 0;
     for (int c = 0; c < CLOUDS; c++) {
@@ -273,24 +266,34 @@ static void put_order(const struct order *of, int trial, struct document *d) {
         worst = fmax(worst, finest_error(o) / finest_error(&of[trial]));
     }
     if (failed)
-        document_cell(d, "%.2f to %.2f, none on %d of %d", least, most, failed, CLOUDS);
+        table_add(t, "%.2f to %.2f, none on %d of %d|%.2g", least, most, failed, CLOUDS, worst);
     else
-        document_cell(d, "%.2f to %.2f", least, most);
-    document_cell(d, "%.2g", worst);
+        table_add(t, "%.2f to %.2f|%.2g", least, most, worst);
 }
 
-static void put_work(const struct order *of, int trial, struct document *d) {
+static void put_work(const struct order *of, int trial, struct table *t) {
     for (int c = 0; c < WORKED_ON; c++) {
         const struct order *o = &of[worked_on[c] * TRIALS + trial];
-        double pairs = without_order(o) ? NAN : work_at(&o->ladder, ENOUGH);
-        if (isnan(pairs))
-            document_cell(d, "-");
-        else
-            document_cell(d, "%.1e", pairs);
+        table_number(t, "%.1e", without_order(o) ? NAN : work_at(&o->ladder, ENOUGH), "-");
     }
 }
 
 static void tabulate_choice(const struct order *all, const struct growth_count *growth, struct document *d) {
+    struct table one = table_headed(1, "operator|heat drift|order|worst|growing|step|step at jitter 0.3|work: "
+                                       "lattice|jitter 0.3|relaxed"),
+                 two = table_headed(1, "operator|order|worst|work: lattice|jitter 0.3|relaxed");
+    for (int k = 0; k < OPERATORS; k++) {
+        const struct order *of = &all[k * CLOUDS * TRIALS];
+        const struct candidate_operator *o = &operators[k];
+        struct table *t = o->materials == 1 ? &one : &two;
+        table_add(t, "`%s%s`", o->method, o->options);
+        if (o->materials == 1) put_heat(of, t);
+        put_order(of, o->materials == 1 ? WORKED : 3, t);
+        if (o->materials == 1)
+            table_add(t, "%d of %d|%.3f|%.3f", growth[k].growing, growth[k].draws, step_of(o, &operators_clouds[0]),
+                      step_of(o, &operators_clouds[3]));
+        put_work(of, o->materials == 1 ? WORKED : 3, t);
+    }
     document_heading(d, "Which to take");
     document_text(d,
                   "Heat drift: the largest on a cloud (rod-cosine). Order: least and largest on the five clouds "
@@ -300,26 +303,9 @@ static void tabulate_choice(const struct order *all, const struct growth_count *
                   "lattice and at jitter 0.3 (0: none). Work: pairs of neighbours, in all steps, for E1 = %g; "
                   "-: not reached.",
                   ENOUGH);
-    document_table(
-        d, "operator|heat drift|order|worst|growing|step|step at jitter 0.3|work: lattice|jitter 0.3|relaxed");
-    for (int k = 0; k < OPERATORS; k++) {
-        const struct order *of = &all[k * CLOUDS * TRIALS];
-        if (operators[k].materials != 1) continue;
-        document_cell(d, "`%s`", operators[k].method);
-        put_heat(of, d);
-        put_order(of, WORKED, d);
-        document_cell(d, "%d of %d", growth[k].growing, growth[k].draws);
-        for (int c = 0; c < 4; c += 3) document_cell(d, "%.3f", step_of(&operators[k], &operators_clouds[c]));
-        put_work(of, WORKED, d);
-    }
+    document_table(d, &one);
     document_text(d, "Two materials, k 1 : 1000: the same on wall-composite.");
-    document_table(d, "operator|order|worst|work: lattice|jitter 0.3|relaxed");
-    for (int k = 0; k < OPERATORS; k++) {
-        if (operators[k].materials != 2) continue;
-        document_cell(d, "`%s%s`", operators[k].method, operators[k].options);
-        put_order(&all[k * CLOUDS * TRIALS], 3, d);
-        put_work(&all[k * CLOUDS * TRIALS], 3, d);
-    }
+    document_table(d, &two);
 }
 
 int operators_write(const char *dir, struct failure *why) {

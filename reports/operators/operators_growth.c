@@ -5,7 +5,6 @@
 #include "reports/operators/operators.h"
 
 #include "reports/figure/figure.h"
-#include "reports/operators/candidates.h"
 #include "solver/method.h"
 #include "solver/time/growth.h"
 #include "verification/stability/model_problem.h"
@@ -79,11 +78,12 @@ static int count_growing(const struct growth_cell *c, int *drawn, double *most) 
 /* Draws all clouds, one block per operator: jitters side by side, in groups of h/dx, ratio and particles.  The
  * growth of a mode over the run is its rate times the time. */
 static void draw_growth(const struct growth_cell *all, FILE *figure) {
-    figure_head(figure, "Share of eight jittered clouds with a mode that grows at any time step");
-    fprintf(figure, "# command: heatladder limit fatehi_manzari --dim 2 --layout jitter --jitter 0.4 --ratio 0.1\n");
+    figure_head(figure, "Share of eight jittered clouds with a mode that grows at any time step",
+                "limit fatehi_manzari --dim 2 --layout jitter --jitter 0.4 --ratio 0.1");
     for (int name = 0; name < NAMES; name++) {
-        fprintf(figure, "\n\n# %s on clouds\nplace,%s,rate x %g dx^2/kappa_x,draws\n", names[name], names[name],
-                TIME);
+        char columns[120];
+        snprintf(columns, sizeof columns, "place,%s,rate x %g dx^2/kappa_x,draws", names[name], TIME);
+        figure_block(figure, columns, "%s on clouds", names[name]);
         for (int group = 0; group < WIDTHS * RATIOS * LENGTHS; group++)
             for (int j = 0; j < JITTERS; j++) {
                 int side = group / (RATIOS * LENGTHS), kind = group % (RATIOS * LENGTHS), drawn;

@@ -48,14 +48,30 @@ static int run_all(struct plate_errors e[ROWS][PLATE_TIMES], struct failure *why
 }
 
 static void put_row(const struct row *row, const struct published *t, const struct plate_errors *e,
-                    struct document *d) {
+                    struct table *out) {
     double off = 0;
-    document_cell(d, "%s", row->label);
+    table_add(out, "%s", row->label);
     for (int k = 0; k < PLATE_TIMES; k++) {
-        document_cell(d, "%.4f", e[k].average);
+        table_add(out, "%.4f", e[k].average);
         off = fmax(off, fabs(log(e[k].average / t->value[row->printed][k])));
     }
-    document_cell(d, "%.3f", exp(off));
+    table_add(out, "%.3f", exp(off));
+}
+
+static struct table tabulate(const struct published *t, struct plate_errors e[ROWS][PLATE_TIMES]) {
+    struct table out = table_create(PLATE_TIMES + 2, 1);
+    table_add(&out, "average error, %%");
+    for (int k = 0; k < PLATE_TIMES; k++) table_add(&out, "%s s", t->where[k]);
+    table_add(&out, "off by");
+    for (int i = 0; i < ROWS; i++) {
+        if (i == 0 || rows[i].printed != rows[i - 1].printed) {
+            table_add(&out, "%s, published", rows[i].printed == PLATE_SPH ? "SPH" : "FTCS");
+            for (int k = 0; k < PLATE_TIMES; k++) table_add(&out, "%s", t->cell[rows[i].printed][k]);
+            table_add(&out, "%s", "");
+        }
+        put_row(&rows[i], t, e[i], &out);
+    }
+    return out;
 }
 
 static int write_table1(const char *dir, struct failure *why) {
@@ -75,17 +91,8 @@ static int write_table1(const char *dir, struct failure *why) {
                   "and the cubic %.0f %%: so much of the lag of the fixed ghosts, which hold the walls' temperatures "
                   "half a spacing outside, is taken back.",
                   100 * (plate_conducts() - 1));
-    document_table(&d, "average error, %");
-    for (int k = 0; k < PLATE_TIMES; k++) document_header(&d, "%s s", t.where[k]);
-    document_header(&d, "off by");
-    for (int i = 0; i < ROWS; i++) {
-        if (i == 0 || rows[i].printed != rows[i - 1].printed) {
-            document_cell(&d, "%s, published", rows[i].printed == PLATE_SPH ? "SPH" : "FTCS");
-            for (int k = 0; k < PLATE_TIMES; k++) document_cell(&d, "%s", t.cell[rows[i].printed][k]);
-            document_cell(&d, " ");
-        }
-        put_row(&rows[i], &t, e[i], &d);
-    }
+    struct table table = tabulate(&t, e);
+    document_table(&d, &table);
     document_text(
         &d, "The rest is in two settings that the public code has and this suite has not: eta = 0.01 h in place "
             "of 0.1 h, and ghosts in the corners by polar order in place of the mean of both walls.");
@@ -106,7 +113,7 @@ static int write_isotherms(const char *name, const char *title, const char *word
     for (int k = 0; k < PLATE_TIMES; k++) {
         snprintf(command[k], sizeof command[k], "run plate %s --t-end %s", words, t.where[k]);
         snprintf(label[k], sizeof label[k], "%s s", t.where[k]);
-        series[k] = (struct figure_series){label[k], command[k], FIGURE_ISOTHERMS, 0};
+        series[k] = (struct figure_series)FIGURE_FIELD(label[k], command[k], FIGURE_ISOTHERMS, 0);
     }
     struct figure figure = {name, title, series};
     return figure_write(&figure, dir, why);
@@ -124,10 +131,10 @@ struct results {
 };
 
 static void head(FILE *out, const char *title) {
-    figure_head(out, title);
-    fprintf(out,
-            "# command: heatladder run plate brookshaw --kernel cubic --h 1.2 --volume tuned --xi XI --walls fixed "
-            "--dx 0.1/N --stepper rk2 --dt DT --set material=M\n");
+    figure_head(
+        out, title,
+        "run plate brookshaw --kernel cubic --h 1.2 --volume tuned --xi XI --walls fixed --dx 0.1/N --stepper "
+        "rk2 --dt DT --set material=M");
 }
 
 static void write_errors(const struct results *s, FILE *out) {

@@ -16,17 +16,15 @@
 
 #define ROD "--dx 0.1 --h 1.05 --stepper euler --dt 5e-5"
 #define SQUARE "--dx 0.1 --h 1.1 --stepper euler --dt 0.001"
-/* A curve of a run, or of the exact solution, at a time in s. */
-#define ROD_RUN(t)                                                                                                   \
-    { "so_ssph " #t, "run rod-step so_ssph " ROD " --t-end " #t, FIGURE_POINTS, 0 }
-#define ROD_EXACT(t)                                                                                                 \
-    { "exact " #t, "reference rod-step --at 0 --time " #t, FIGURE_EXACT, 0 }
-#define CUT_RUN(t)                                                                                                   \
-    { "so_ssph " #t, "run square-step so_ssph " SQUARE " --t-end " #t, FIGURE_CUT, 0.05 }
-#define CUT_EXACT(t)                                                                                                 \
-    { "exact " #t, "reference square-step --at 0,0.05 --time " #t, FIGURE_EXACT, 0 }
-#define ISOTHERMS(t)                                                                                                 \
-    { #t " s", "run square-step so_ssph " SQUARE " --t-end " #t, FIGURE_ISOTHERMS, 0 }
+#define CURVE(name, command) FIGURE_FIELD(name, command, FIGURE_POINTS, 0)
+#define EXACT(name, command) FIGURE_FIELD(name, "reference " command, FIGURE_EXACT, 0)
+#define CUT(name, command) FIGURE_FIELD(name, command " " SQUARE, FIGURE_CUT, 0.05)
+/* At a time in s */
+#define ROD_RUN(t) CURVE("so_ssph " #t, "run rod-step so_ssph " ROD " --t-end " #t)
+#define ROD_EXACT(t) EXACT("exact " #t, "rod-step --at 0 --time " #t)
+#define CUT_RUN(t) CUT("so_ssph " #t, "run square-step so_ssph --t-end " #t)
+#define CUT_EXACT(t) EXACT("exact " #t, "square-step --at 0,0.05 --time " #t)
+#define ISOTHERMS(t) FIGURE_FIELD(#t " s", "run square-step so_ssph " SQUARE " --t-end " #t, FIGURE_ISOTHERMS, 0)
 #define END                                                                                                          \
     { 0 }
 
@@ -104,29 +102,26 @@ static const struct compare tables[] = {
 
 static const struct figure figures[] = {
     {"song_fig1b", "Song 2018, Figure 1b: FO-SSPH and SO-SSPH on the rod, t = 5 s",
-     (const struct figure_series[]){{"exact", "reference rod-step --at 0 --time 5", FIGURE_EXACT, 0},
-                                    {"fo_ssph", "run rod-step fo_ssph " ROD, FIGURE_POINTS, 0},
-                                    {"so_ssph", "run rod-step so_ssph " ROD, FIGURE_POINTS, 0},
-                                    END}},
+     (const struct figure_series[]){EXACT("exact", "rod-step --at 0 --time 5"),
+                                    CURVE("fo_ssph", "run rod-step fo_ssph " ROD),
+                                    CURVE("so_ssph", "run rod-step so_ssph " ROD), END}},
     {"song_fig1c", "Song 2018, Figure 1c: SO-SSPH on the rod at four times",
      (const struct figure_series[]){ROD_EXACT(0.5), ROD_EXACT(1), ROD_EXACT(2.5), ROD_EXACT(5), ROD_RUN(0.5),
                                     ROD_RUN(1), ROD_RUN(2.5), ROD_RUN(5), END}},
     {"song_fig1d", "Song 2018, Figure 1d: FTCS on the rod, with and without heat fluxes, t = 5 s",
-     (const struct figure_series[]){{"exact", "reference rod-step --at 0 --time 5", FIGURE_EXACT, 0},
-                                    {"ftcs_flux", "run rod-step ftcs_flux --dx 0.1 --dt 5e-5", FIGURE_POINTS, 0},
-                                    {"ftcs direct", "run rod-step ftcs --dx 0.1 --dt 5e-5", FIGURE_POINTS, 0},
-                                    END}},
+     (const struct figure_series[]){EXACT("exact", "rod-step --at 0 --time 5"),
+                                    CURVE("ftcs_flux", "run rod-step ftcs_flux --dx 0.1 --dt 5e-5"),
+                                    CURVE("ftcs direct", "run rod-step ftcs --dx 0.1 --dt 5e-5"), END}},
     {"song_fig3b", "Song 2018, Figure 3b: FO-SSPH and SO-SSPH on the square along y = 0.05 m, t = 5 s",
-     (const struct figure_series[]){{"exact", "reference square-step --at 0,0.05 --time 5", FIGURE_EXACT, 0},
-                                    {"fo_ssph", "run square-step fo_ssph " SQUARE, FIGURE_CUT, 0.05},
-                                    {"so_ssph", "run square-step so_ssph " SQUARE, FIGURE_CUT, 0.05},
-                                    END}},
+     (const struct figure_series[]){EXACT("exact", "square-step --at 0,0.05 --time 5"),
+                                    CUT("fo_ssph", "run square-step fo_ssph"),
+                                    CUT("so_ssph", "run square-step so_ssph"), END}},
     {"song_fig4", "Song 2018, Figure 4a-e: isotherms of SO-SSPH on the square",
      (const struct figure_series[]){ISOTHERMS(1), ISOTHERMS(2), ISOTHERMS(3), ISOTHERMS(4), ISOTHERMS(5), END}},
     {"song_fig4f", "Song 2018, Figure 4f: SO-SSPH on the square along y = 0.05 m",
      (const struct figure_series[]){CUT_EXACT(1), CUT_EXACT(2), CUT_EXACT(3), CUT_EXACT(4), CUT_EXACT(5), CUT_RUN(1),
-                                    CUT_RUN(2), CUT_RUN(3), CUT_RUN(4), CUT_RUN(5)}},
-};
+                                    CUT_RUN(2), CUT_RUN(3), CUT_RUN(4), CUT_RUN(5), END}},
+    END};
 
 /* "TABLE": every error of the table, run again by the paper's protocol. */
 void song_table(struct claims_measured *m) {
@@ -158,7 +153,5 @@ void song_table(struct claims_measured *m) {
 int song_write(const char *dir, struct failure *why) {
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
         if (compare_write(&tables[i], dir, why)) return why->status;
-    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++)
-        if (figure_write(&figures[i], dir, why)) return why->status;
-    return STATUS_OK;
+    return figure_write_all(figures, dir, why);
 }

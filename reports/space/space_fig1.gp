@@ -7,7 +7,9 @@ set label 98 heading at screen 0.5, screen 0.965 center noenhanced font size_of(
 unset bmargin
 set multiplot
 set palette defined (0 '#00224e', 1 '#35456c', 2 '#666970', 3 '#948e77', 4 '#c8b866', 5 '#fee838') # cividis
-set cbrange [-6:-1]
+set logscale cb
+set format cb '10^{%T}'
+set cbrange [1e-5:1]
 set xrange [-2:2]
 set yrange [-2:2]
 set xtics -2, 1
@@ -27,7 +29,7 @@ unset ylabel
 set format y ''
 set title 'SO-SSPH' font size_of(11) offset 0,-0.6
 set colorbox user origin screen 0.585, screen 0.29 size screen 0.012, screen 0.57
-set cblabel 'log_{10} |T_n − T_e| / T_0  [-]' offset 1.2
+set cblabel '|T_n − T_e|  [K]' offset 1.2
 plot data index 'slice, so_ssph' using 1:2:3 with image
 unset colorbox
 set size noratio

@@ -71,6 +71,17 @@ void html_text(FILE *out, const char *text) {
     html_bytes(out, text, strlen(text));
 }
 
+void html_marked(FILE *out, const char *text) {
+    int code = 0;
+    for (size_t n; *text; text += n) {
+        n = strcspn(text, "`");
+        html_bytes(out, text, n);
+        if (text[n] != '`') continue;
+        fprintf(out, code ? "</code>" : "<code>");
+        code = !code, n++;
+    }
+}
+
 void html_print(FILE *out, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
@@ -102,7 +113,8 @@ static int is_number(const char *text) {
 
 void html_cell(FILE *out, const char *text) {
     fputs(is_number(text) ? "<td class=\"n\">" : "<td>", out);
-    html_print(out, "%s</td>", text);
+    html_marked(out, text);
+    fprintf(out, "</td>");
 }
 
 void html_table(FILE *out, struct table *t) {

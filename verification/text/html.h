@@ -17,7 +17,10 @@ void html_text(FILE *out, const char *text);
 /* printf with the conversion %s alone, each text escaped. */
 void html_print(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* A cell <td>; numbers are right-aligned. */
+/* Escaped as html_text, but for `code` between backticks. */
+void html_marked(FILE *out, const char *text);
+
+/* A cell <td>; numbers are right-aligned, and `code` is marked. */
 void html_cell(FILE *out, const char *text);
 /* Writes the table and frees it. */
 void html_table(FILE *out, struct table *t);

@@ -22,7 +22,9 @@ static void add_cells(struct table *t, const char *text, int count) {
             t->room = t->room ? 2 * t->room : 8 * t->columns;
             t->cell = xgrow(t->cell, (size_t)t->cells, (size_t)t->room, sizeof *t->cell);
         }
-        snprintf(t->cell[t->cells++], TABLE_CELL, "%.*s", (int)length, text);
+        char *cell = xcalloc(length + 1, 1);
+        memcpy(cell, text, length);
+        t->cell[t->cells++] = cell;
         text += length + (text[length] == '|');
     }
 }
@@ -35,7 +37,7 @@ struct table table_headed(int left, const char *header) {
 }
 
 void table_add(struct table *t, const char *format, ...) {
-    char text[TABLE_COLUMNS * TABLE_CELL];
+    char text[TABLE_ROW];
     int count = 1;
     for (const char *at = format; *at; at++) count += *at == '|';
     va_list arguments;
@@ -77,6 +79,7 @@ void table_end(struct table *t, FILE *out) {
 }
 
 void table_free(struct table *t) {
+    for (int i = 0; i < t->cells; i++) free(t->cell[i]);
     free(t->cell);
     *t = (struct table){0};
 }

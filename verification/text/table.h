@@ -6,14 +6,14 @@
 
 #include <stdio.h>
 
-enum { TABLE_COLUMNS = 16, TABLE_CELL = 512 }; /* letters of a cell: a failure with its reason */
+enum { TABLE_COLUMNS = 16, TABLE_ROW = 8000 /* letters of one table_add */ };
 
 struct table {
     int columns;
     int left;  /* the first so many columns are set left, and a last one of sentences; the others right */
     int cells; /* filled so far, row by row; the first row is the header */
     int room;
-    char (*cell)[TABLE_CELL];
+    char **cell; /* owned */
 };
 
 /* Without a row yet; end with table_end. */

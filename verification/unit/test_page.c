@@ -100,13 +100,12 @@ static void html_and_markdown_have_the_same_text(void **state) {
     struct failure why;
     document_open(&d, folder, "doc", "A < B");
     document_text(&d, "`a*b` and |G| <= %d", 1);
-    document_table(&d, "name|value");
-    document_header(&d, "%s", "more");
+    struct table t = table_headed(1, "name|value|more");
     for (int i = 0; i < 2; i++) {
-        document_cell(&d, "`x_%d`", i);
-        document_cell(&d, "%d", i);
-        document_cell(&d, "a|b");
+        table_add(&t, "`x_%d`|%d", i, i);
+        table_add(&t, "%s", "a|b");
     }
+    document_table(&d, &t);
     document_heading(&d, "next");
     document_command(&d, "run %s", "x");
     assert_int_equal(document_close(&d, &why), STATUS_OK);
