@@ -184,7 +184,7 @@ install: all ## Install the program and the library under PREFIX (DESTDIR is put
 	install -m 644 scripts/completion.bash '$(SHARE)/bash-completion/completions/heatladder'; \
 	install -m 644 verification/examples/* '$(SHARE)/heatladder/examples/'; \
 	install -d '$(ROOT)/include' '$(LIBDIR)/pkgconfig'; \
-	install -m 644 references/library/heatladder.h '$(ROOT)/include/'; \
+	install -m 644 references/library/heatladder.h references/library/heatladder.f90 '$(ROOT)/include/'; \
 	install -m 644 $(BUILD)/libheatladder.a '$(LIBDIR)/'; \
 	install -m 755 $(BUILD)/libheatladder.so '$(LIBDIR)/$(SONAME)'; \
 	ln -sf $(SONAME) '$(LIBDIR)/libheatladder.so'; \
@@ -195,7 +195,7 @@ install: all ## Install the program and the library under PREFIX (DESTDIR is put
 
 uninstall: ## Remove what install put under PREFIX
 	rm -f '$(ROOT)/bin/heatladder' '$(SHARE)/man/man1/heatladder.1' '$(SHARE)/bash-completion/completions/heatladder'
-	rm -f '$(ROOT)/include/heatladder.h' '$(LIBDIR)/pkgconfig/heatladder.pc' $(patsubst %,'$(LIBDIR)/%',libheatladder.a libheatladder.so $(SONAME))
+	rm -f '$(ROOT)/include/heatladder.h' '$(ROOT)/include/heatladder.f90' '$(LIBDIR)/pkgconfig/heatladder.pc' $(patsubst %,'$(LIBDIR)/%',libheatladder.a libheatladder.so $(SONAME))
 	rm -rf '$(SHARE)/heatladder'
 
 dist: ## Pack the last commit as build/heatladder-VERSION.tar.gz

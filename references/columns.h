@@ -32,7 +32,7 @@ struct columns {
     int dim, count;
     const struct columns_kind *kind[COLUMNS_MAX];
     int needs_time, needs_cell; /* 1 if one of the columns does */
-    int values;                 /* of one point */
+    int values;                 /* how many one point has */
 };
 
 /* Reads a comma-separated list of names.  Returns STATUS_OK, or STATUS_INPUT with the unknown word and the valid
@@ -47,8 +47,8 @@ int columns_check(const struct columns *c, const struct problem *p, int times, c
 void columns_header(const struct columns *c, char *text);
 
 /* Sets value[i * c->values], ... at the n points x[i], m, and the time of the snapshot, in the order of the header.
- * Points and values are in the axes and temperatures of the image, of which the snapshot has the scene.  cell[i]:
- * extents of the cell around the point, m; NULL if no column needs it. */
+ * Points and values are in the axes and temperatures of the image, the snapshot in the scene's.  cell[i]: extents of
+ * the cell around the point, m; NULL if no column needs it. */
 void columns_at_points(const struct columns *c, const struct image *image, const struct snapshot *now, size_t n,
                        double (*x)[DIM_MAX], double (*cell)[DIM_MAX], double *value);
 

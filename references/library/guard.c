@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Calls that end with a status, whatever happens inside them.
+/* Calls that end with a status, whatever happens inside them, and print numbers with a point in any locale.
  *
  * The solvers and references end the program where memory is out (solver/out_of_memory.c); here they jump back to the
  * call.  They run on one thread (the library is compiled without OpenMP), so that no other frame is skipped. */
@@ -12,6 +12,7 @@
 #include "solver/time/transform.h"
 
 #include <gsl/gsl_errno.h>
+#include <locale.h>
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdlib.h>
@@ -79,6 +80,7 @@ static void gsl_failed(const char *reason, const char *file, int line, int error
 int guard_call(int (*body)(void *argument, struct failure *why), void *argument, struct failure *why) {
     pthread_mutex_lock(&one_call);
     gsl_error_handler_t *host = gsl_set_error_handler(gsl_failed);
+    locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0), before = c ? uselocale(c) : (locale_t)0;
     int status;
     if (setjmp(out_of_memory))
         status = refuse(why, STATUS_MEMORY, "out of memory");
@@ -87,6 +89,7 @@ int guard_call(int (*body)(void *argument, struct failure *why), void *argument,
     transform_forget();
     while (blocks.after != &blocks) guard_free(blocks.after + 1);
     gsl_set_error_handler(host);
+    if (c) uselocale(before), freelocale(c);
     pthread_mutex_unlock(&one_call);
     return status;
 }

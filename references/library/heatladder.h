@@ -2,9 +2,12 @@
 #ifndef HEATLADDER_H
 #define HEATLADDER_H
 
-/* libheatladder: exact solutions of transient heat conduction with bounds of their error, and the solvers beside
- * them.  SI units.  No call ends the process, reads the environment or prints.  Calls from several threads run one
- * after another; each runs on the thread of its caller. */
+/* libheatladder: exact solutions of transient heat conduction with bounds of their error, the data of their scenes,
+ * and the solvers beside them.  C, C++, and Fortran by heatladder.f90.  SI units.
+ *
+ * No call ends the process, reads the environment or prints.  Calls from several threads run one after another; each
+ * runs on the thread of its caller.  NULL where a pointer is needed is HL_INPUT; `why` may be NULL everywhere.
+ * Messages use a decimal point in any locale. */
 
 #include <stddef.h>
 
@@ -60,14 +63,14 @@ struct hl_box {
 
 struct hl_problem; /* a scene at given parameters */
 
-/* Parameter i = 0, 1, ... of the scene into *parameter; 0 past the last or for an unknown scene, else 1. */
+/* Parameter i = 0, 1, ... of the scene into *parameter, and 1; 0 past the last or for an unknown scene. */
 HL_API int hl_parameter(const char *scene, int i, struct hl_parameter *parameter);
 
 /* The scene with the settings, ended by a NULL name; NULL: all defaults.  NULL with *why filled where a name is
  * unknown or a value is out of range.  The caller releases it with hl_problem_free. */
 HL_API struct hl_problem *hl_problem_create(const char *scene, const struct hl_setting *settings,
                                             struct hl_error *why);
-HL_API void hl_problem_free(struct hl_problem *problem);
+HL_API void hl_problem_free(struct hl_problem *problem); /* NULL: nothing */
 HL_API void hl_problem_box(const struct hl_problem *problem, struct hl_box *box);
 
 /* Exact temperatures T[i], K, and bounds of their error at the n points (x[i], y[i], z[i]) and the time t >= 0 s.  y
@@ -76,9 +79,34 @@ HL_API void hl_problem_box(const struct hl_problem *problem, struct hl_box *box)
 HL_API int hl_exact_at(const struct hl_problem *problem, double t, size_t n, const double *x, const double *y,
                        const double *z, double *T, double *bound, struct hl_error *why);
 
-/* The same for rods and planes. */
+/* hl_exact_at for rods and planes. */
 HL_API int hl_exact(const struct hl_problem *problem, double t, size_t n, const double *x, const double *y, double *T,
                     double *bound, struct hl_error *why);
+
+/* ---- Data of a scene ---- */
+
+struct hl_points {
+    size_t n;
+    const double *x, *y, *z;    /* m, n each; y is NULL on a rod, z on a rod and in the plane */
+    const double *dx, *dy, *dz; /* m, n each: extents of the cell around each point, for "initial_mean"; dy and dz
+                                   NULL: dx; all NULL: no cells */
+};
+
+/* Quantities of the scene at the points and the time t >= 0 s, as `heatladder reference --what` prints them.  `what`
+ * is a comma-separated list of
+ *
+ *     temperature error_bound flux_x flux_y flux_z initial initial_mean source k_x k_y k_z rho_c
+ *     wall wall_x wall_y wall_z nearest
+ *
+ * (`heatladder reference --help` defines them).  Value j of point i is value[j * n + i]; a wall has three values, a
+ * nearest wall eight, ten in space, all else one.  A status. */
+HL_API int hl_reference(const struct hl_problem *problem, const char *what, double t, const struct hl_points *points,
+                        double *value, struct hl_error *why);
+
+/* How many values `what` has at a point, with their names, separated by commas, in names[size] (NULL: not wanted); -1
+ * with *why filled where it has an unknown word. */
+HL_API int hl_reference_values(const struct hl_problem *problem, const char *what, char *names, size_t size,
+                               struct hl_error *why);
 
 /* ---- Solvers ---- */
 
@@ -111,7 +139,7 @@ struct hl_field {
 /* Solves the problem to its end time.  A status; on HL_OK the caller releases *field with hl_field_free. */
 HL_API int hl_solve(const struct hl_problem *problem, const char *method, const struct hl_options *options,
                     struct hl_field *field, struct hl_error *why);
-HL_API void hl_field_free(struct hl_field *field);
+HL_API void hl_field_free(struct hl_field *field); /* NULL: nothing */
 
 #ifdef __cplusplus
 }

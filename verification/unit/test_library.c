@@ -137,41 +137,165 @@ static void points_in_space_are_those_of_the_scene(void **state) {
     }
 }
 
-static void invalid_input_is_named(void **state) {
+/* The columns of `reference`: means over cells of widths of their own, a wall of three values, the exact solution;
+ * more points than one batch. */
+static void data_are_those_of_the_scene(void **state) {
+    (void)state;
+    enum { N = 5000 };
+    static double x[N], dx[N], value[6 * N];
+    static const char what[] = "initial_mean,temperature,wall,rho_c";
+    struct hl_error why;
+    struct hl_problem *h = problem_of("rod-step", kappa);
+    struct hl_points points = {.n = N, .x = x, .dx = dx};
+    char names[80];
+    for (int i = 0; i < N; i++) x[i] = -2 + 4.0 * i / (N - 1), dx[i] = 0.01 + 1e-6 * i;
+    assert_int_equal(hl_reference_values(h, what, names, sizeof names, &why), 6);
+    assert_string_equal(names, "initial_mean,temperature,wall_kind,wall_value,wall_b,rho_c");
+    if (hl_reference(h, what, 1.9, &points, value, &why)) fail_msg("%s", why.text);
+    for (int i = 0; i < N; i += 41) { /* 10 K for |x| <= 0.5 */
+        double lo = fmax(fmax(x[i] - dx[i] / 2, -0.5), -2), hi = fmin(fmin(x[i] + dx[i] / 2, 0.5), 2), T;
+        double size = fmin(x[i] + dx[i] / 2, 2) - fmax(x[i] - dx[i] / 2, -2);
+        assert_near(value[i], 10 * fmax(hi - lo, 0) / size, 1e-11);
+        assert_int_equal(hl_exact(h, 1.9, 1, &x[i], NULL, &T, NULL, &why), HL_OK);
+        assert_near(value[N + i], T, 0);
+        assert_near(value[2 * N + i], i == 0 || i == N - 1, 0);
+        assert_near(value[5 * N + i], 1, 0);
+    }
+    hl_problem_free(h);
+}
+
+/* One row for each argument of a function of the header: it returns a status with what is wrong. */
+#define REFUSED(call, due, says)                                                                                     \
+    do {                                                                                                             \
+        why = (struct hl_error){-1, ""};                                                                             \
+        (void)(call);                                                                                                \
+        if (why.status != (due) || !strstr(why.text, says))                                                          \
+            fail_msg("%s: status %d, \"%s\"; expected %d, \"%s\"", #call, why.status, why.text, due, says);          \
+    } while (0)
+
+static void bad_arguments_of_problems_are_named(void **state) {
     (void)state;
     struct hl_error why;
-    assert_null(hl_problem_create("rod-stp", NULL, &why));
-    assert_int_equal(why.status, HL_INPUT);
-    assert_has(why.text, "rod-stp");
-    assert_null(hl_problem_create("rod-step", (struct hl_setting[]){{"kapa", 1}, {NULL, 0}}, &why));
-    assert_has(why.text, "kapa");
-    assert_null(hl_problem_create("rod-step", (struct hl_setting[]){{"kappa", NAN}, {NULL, 0}}, &why));
-    assert_has(why.text, "finite");
-    assert_null(hl_problem_create("rod-step", (struct hl_setting[]){{"kappa", -1}, {NULL, 0}}, NULL));
+    struct hl_parameter parameter;
+    struct hl_box box = {.dim = 7};
+    const struct hl_setting nan[] = {{"kappa", NAN}, {NULL, 0}}, negative[] = {{"kappa", -1.5}, {NULL, 0}};
+    const struct hl_setting name[] = {{"kapa", 1}, {NULL, 0}}, word[] = {{"material", 3}, {NULL, 0}};
+    assert_null(hl_scene(-1));
+    assert_null(hl_method(-1));
+    assert_null(hl_scene(1000));
+    assert_null(hl_method(1000));
+    assert_non_null(hl_version());
+    assert_int_equal(hl_parameter(NULL, 0, &parameter), 0);
+    assert_int_equal(hl_parameter("rod-stp", 0, &parameter), 0);
+    assert_int_equal(hl_parameter("rod-step", 0, NULL), 0);
+    assert_int_equal(hl_parameter("rod-step", -1, &parameter), 0);
+    assert_int_equal(hl_parameter("rod-step", 99, &parameter), 0);
+    REFUSED(hl_problem_create(NULL, NULL, &why), HL_INPUT, "scene is missing");
+    REFUSED(hl_problem_create("rod-stp", NULL, &why), HL_INPUT, "unknown scene 'rod-stp'; did you mean 'rod-step'?");
+    REFUSED(hl_problem_create("rod-step", name, &why), HL_INPUT,
+            "unknown parameter of rod-step 'kapa'; did you mean");
+    REFUSED(hl_problem_create("rod-step", nan, &why), HL_INPUT, "--set kappa=nan: must be a finite number");
+    REFUSED(hl_problem_create("rod-step", negative, &why), HL_INPUT,
+            "--set kappa=-1.5: needs a finite number greater");
+    REFUSED(hl_problem_create("plate", word, &why), HL_INPUT, "--set material=3: must be the place of a word");
+    assert_null(hl_problem_create("rod-step", negative, NULL));
+    hl_problem_box(NULL, &box);
+    assert_int_equal(box.dim, 0);
+    hl_problem_box(NULL, NULL);
+    hl_problem_free(NULL);
+    hl_field_free(NULL);
+}
+
+static void bad_arguments_at_points_are_named(void **state) {
+    (void)state;
+    struct hl_error why;
+    struct hl_problem *h = problem_of("rod-step", NULL), *plane = problem_of("square-step", NULL);
+    const double x[2] = {0, 99}, nan = NAN, less = -0.1;
+    double T[2], bound[2];
+    char names[5];
+    const struct hl_points at = {.n = 1, .x = x}, none = {.n = 1}, off = {.n = 1, .x = &nan},
+                           outside = {.n = 2, .x = x};
+    const struct hl_points cells = {.n = 1, .x = x, .dx = &less}, empty = {0};
+    REFUSED(hl_exact_at(NULL, 1, 1, x, NULL, NULL, T, bound, &why), HL_INPUT, "problem is missing");
+    REFUSED(hl_exact_at(h, 1, 1, NULL, NULL, NULL, T, bound, &why), HL_INPUT, "x is missing: rod-step has 1 axis");
+    REFUSED(hl_exact_at(h, 1, 1, x, NULL, NULL, NULL, bound, &why), HL_INPUT, "T is missing");
+    REFUSED(hl_exact_at(plane, 1, 1, x, NULL, NULL, T, bound, &why), HL_INPUT,
+            "y is missing: square-step has 2 axes");
+    REFUSED(hl_exact_at(h, -1, 1, x, NULL, NULL, T, bound, &why), HL_INPUT, "t = -1 s: must be finite and >= 0");
+    REFUSED(hl_exact_at(h, NAN, 1, x, NULL, NULL, T, bound, &why), HL_INPUT, "t = nan s");
+    REFUSED(hl_exact_at(h, INFINITY, 1, x, NULL, NULL, T, bound, &why), HL_INPUT, "t = inf s");
+    REFUSED(hl_exact_at(h, 1, 1, &nan, NULL, NULL, T, bound, &why), HL_INPUT, "point 0: x = nan m is outside");
+    REFUSED(hl_exact(h, 1, 2, x, NULL, T, NULL, &why), HL_INPUT, "point 1: x = 99 m is outside -2 to 2 m");
+    REFUSED(hl_exact(NULL, 1, 1, x, NULL, T, bound, &why), HL_INPUT, "problem is missing");
+    REFUSED(hl_exact(h, 1, 0, NULL, NULL, NULL, NULL, &why), HL_OK, "");
+    REFUSED(hl_reference(NULL, "initial", 0, &at, T, &why), HL_INPUT, "problem is missing");
+    REFUSED(hl_reference(h, NULL, 0, &at, T, &why), HL_INPUT, "what is missing");
+    REFUSED(hl_reference(h, "initial", 0, NULL, T, &why), HL_INPUT, "points is missing");
+    REFUSED(hl_reference(h, "initial", 0, &at, NULL, &why), HL_INPUT, "value is missing");
+    REFUSED(hl_reference(h, "initial", 0, &none, T, &why), HL_INPUT, "x is missing");
+    REFUSED(hl_reference(h, "initial", 0, &off, T, &why), HL_INPUT, "x = nan m is outside");
+    REFUSED(hl_reference(h, "initial", 0, &outside, T, &why), HL_INPUT, "point 1: x = 99 m");
+    REFUSED(hl_reference(h, "initial", NAN, &at, T, &why), HL_INPUT, "t = nan s");
+    REFUSED(hl_reference(h, "inital", 0, &at, T, &why), HL_INPUT, "'inital'; did you mean 'initial'?");
+    REFUSED(hl_reference(h, "k_y", 0, &at, T, &why), HL_INPUT, "a rod has no y");
+    REFUSED(hl_reference(h, "flux_x", 0, &at, T, &why), HL_INPUT, "needs a time > 0");
+    REFUSED(hl_reference(h, "initial_mean", 0, &at, T, &why), HL_INPUT, "needs the cell around each point");
+    REFUSED(hl_reference(h, "initial_mean", 0, &cells, T, &why), HL_INPUT, "point 0: dx = -0.1 m");
+    REFUSED(hl_reference(h, "initial", 0, &empty, NULL, &why), HL_OK, "");
+    REFUSED(hl_reference_values(NULL, "initial", NULL, 0, &why), HL_INPUT, "problem is missing");
+    REFUSED(hl_reference_values(h, NULL, NULL, 0, &why), HL_INPUT, "what is missing");
+    REFUSED(hl_reference_values(h, "walls", NULL, 0, &why), HL_INPUT, "did you mean 'wall'?");
+    REFUSED(hl_reference_values(h, "initial", names, sizeof names, &why), HL_INPUT, "the names take 8 characters");
+    assert_int_equal(hl_reference_values(h, "walls", NULL, 0, NULL), -1);
+    hl_problem_free(h);
+    hl_problem_free(plane);
+}
+
+static void bad_options_of_a_run_are_named(void **state) {
+    (void)state;
+    struct hl_error why;
+    struct hl_field f;
     struct hl_problem *h = problem_of("rod-step", NULL);
-    double x[2] = {0, 99}, T[2];
-    assert_int_equal(hl_exact(h, 1, 2, x, NULL, T, NULL, &why), HL_INPUT);
-    assert_has(why.text, "point 1: x = 99 m is outside");
-    assert_int_equal(hl_exact(h, -1, 1, x, NULL, T, NULL, &why), HL_INPUT);
     const struct {
         const char *method, *says;
         struct hl_options options;
         int status;
-    } row[] = {{"so_sph", "so_sph", {.dx = 0.1}, HL_INPUT},
-               {"so_ssph", "dx", {.h = 1.1}, HL_INPUT},
-               {"so_ssph", "cubicc", {.dx = 0.1, .kernel = "cubicc"}, HL_INPUT},
-               {"ftcs", "no option of ftcs", {.dx = 0.1, .kernel = "cubic"}, HL_INPUT},
-               {"so_ssph", "order", {.dx = 0.1, .order = 5}, HL_INPUT},
-               {"ftcs", "stepper", {.dx = 0.1, .stepper = "rk2"}, HL_NOT_APPLICABLE},
-               {"so_ssph", "step", {.dx = 0.1, .stepper = "euler", .fourier = 30}, HL_UNSTABLE}};
+    } row[] = {
+        {NULL, "method is missing", {.dx = 0.1}, HL_INPUT},
+        {"so_sph", "unknown method 'so_sph'; did you mean 'so_ssph'?", {.dx = 0.1}, HL_INPUT},
+        {"so_ssph", "--dx is missing", {.h = 1.1}, HL_INPUT},
+        {"so_ssph", "--dx -0.1: must be a finite number > 0", {.dx = -0.1}, HL_INPUT},
+        {"ftcs", "--dx nan", {.dx = NAN}, HL_INPUT},
+        {"ftcs", "--dx inf", {.dx = INFINITY}, HL_INPUT},
+        {"so_ssph", "--dt -1", {.dx = 0.1, .dt = -1}, HL_INPUT},
+        {"ftcs", "--dt nan", {.dx = 0.1, .dt = NAN}, HL_INPUT},
+        {"ftcs", "--dt 50: a step exceeds the end time", {.dx = 0.1, .dt = 50}, HL_INPUT},
+        {"so_ssph", "--fourier -0.3", {.dx = 0.1, .fourier = -0.3}, HL_INPUT},
+        {"so_ssph", "exclude each other", {.dx = 0.1, .dt = 0.1, .fourier = 0.1}, HL_INPUT},
+        {"so_ssph", "takes no time step", {.dx = 0.1, .dt = 0.1, .stepper = "exact"}, HL_INPUT},
+        {"so_ssph", "--h -1.1", {.dx = 0.1, .h = -1.1}, HL_INPUT},
+        {"so_ssph", "--h nan", {.dx = 0.1, .h = NAN}, HL_INPUT},
+        {"so_ssph", "these particles do not move", {.dx = 0.1, .jitter = 0.2}, HL_INPUT},
+        {"so_ssph", "--jitter 0.7", {.dx = 0.1, .jitter = 0.7, .layout = "jitter"}, HL_INPUT},
+        {"so_ssph", "--jitter nan", {.dx = 0.1, .jitter = NAN, .layout = "jitter"}, HL_INPUT},
+        {"so_ssph", "unknown kernel 'cubicc'; did you mean 'cubic'?", {.dx = 0.1, .kernel = "cubicc"}, HL_INPUT},
+        {"so_ssph", "unknown walls ''", {.dx = 0.1, .walls = ""}, HL_INPUT},
+        {"ftcs", "--kernel: no option of ftcs", {.dx = 0.1, .kernel = "cubic"}, HL_INPUT},
+        {"so_ssph", "--order 5: must be 2, 3 or 4", {.dx = 0.1, .order = 5}, HL_INPUT},
+        {"so_ssph", "--order -2", {.dx = 0.1, .order = -2}, HL_INPUT},
+        {"ftcs", "stepper", {.dx = 0.1, .stepper = "rk2"}, HL_NOT_APPLICABLE},
+        {"so_ssph", "step", {.dx = 0.1, .stepper = "euler", .fourier = 30}, HL_UNSTABLE}};
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
-        struct hl_field f;
-        assert_int_equal(hl_solve(h, row[i].method, &row[i].options, &f, &why), row[i].status);
-        assert_has(why.text, row[i].says);
+        REFUSED(hl_solve(h, row[i].method, &row[i].options, &f, &why), row[i].status, row[i].says);
+        assert_true(f.n == 0 && !f.T);
         hl_field_free(&f);
     }
+    REFUSED(hl_solve(NULL, "ftcs", &row[2].options, &f, &why), HL_INPUT, "problem is missing");
+    REFUSED(hl_solve(h, "ftcs", NULL, &f, &why), HL_INPUT, "options is missing");
+    REFUSED(hl_solve(h, "ftcs", &row[2].options, NULL, &why), HL_INPUT, "field is missing");
     hl_problem_free(h);
 }
+#undef REFUSED
 
 static void host(const char *reason, const char *file, int line, int error) {
     (void)reason, (void)file, (void)line, (void)error;
@@ -210,7 +334,10 @@ int main(void) {
         cmocka_unit_test(scenes_have_initial_data),
         cmocka_unit_test(fields_are_those_of_the_solver),
         cmocka_unit_test(points_in_space_are_those_of_the_scene),
-        cmocka_unit_test(invalid_input_is_named),
+        cmocka_unit_test(data_are_those_of_the_scene),
+        cmocka_unit_test(bad_arguments_of_problems_are_named),
+        cmocka_unit_test(bad_arguments_at_points_are_named),
+        cmocka_unit_test(bad_options_of_a_run_are_named),
         cmocka_unit_test(out_of_memory_is_a_status),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
