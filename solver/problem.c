@@ -5,6 +5,32 @@
 #include <math.h>
 #include <stdio.h>
 
+static double newton_cooling(const struct problem *p, enum side s, double d, double value, double T, double *slope) {
+    double b = p->robin[s] * d;
+    *slope = -b;
+    return b * (value - T);
+}
+
+const struct wall_law problem_laws[] = {[DIRICHLET] = {.name = "Dirichlet"},
+                                        [NEUMANN] = {.name = "Neumann", .is_flux = 1},
+                                        [ROBIN] = {.name = "Robin", .exchange = newton_cooling},
+                                        [PERIODIC] = {.name = "periodic"}};
+
+const struct wall_law *problem_law(const struct problem *p, int side) {
+    return &problem_laws[p->side[side]];
+}
+
+double problem_transfer(const struct problem *p, int side) {
+    return p->side[side] == ROBIN ? p->robin[side] : 0;
+}
+
+const char *problem_nonlinearity(const struct problem *p) {
+    if (p->k_law != K_CONSTANT) return "k depends on temperature here";
+    for (int s = 0; s < SIDES; s++)
+        if (problem_law(p, s)->nonlinear) return "the flux through a wall is not linear in its temperature here";
+    return NULL;
+}
+
 double problem_diffusivity(const struct problem *p) {
     double kappa = 0;
     for (int m = 0; m < p->materials; m++)

@@ -10,7 +10,7 @@
 enum { DIM_MAX = 3, SIDES = 2 * DIM_MAX };
 enum side { X_LO, X_HI, Y_LO, Y_HI, Z_LO, Z_HI };
 /* PERIODIC sides come in pairs, without a wall. */
-enum side_kind { DIRICHLET, NEUMANN, ROBIN, PERIODIC };
+enum side_kind { DIRICHLET, NEUMANN, ROBIN, PERIODIC }; /* problem_laws[kind] has what follows from a kind */
 enum { PARAM_MAX = 20, JUMP_MAX = 4, MATERIAL_MAX = 2 };
 
 struct shape; /* shape.h */
@@ -66,6 +66,29 @@ struct problem {
     /* Source at time t, W m^-3, if it changes in another way; `source` and `source_rate` are then NULL. */
     double (*source_at)(const struct problem *p, const double *x, double t);
 };
+
+/* How to add a wall law, a heat flux q(T) into the body that depends on the temperature T of the wall:
+ *   1. its kind in enum side_kind, and its coefficients in struct problem
+ *   2. its row in problem_laws (problem.c): a name, q as `exchange`, and nonlinear = 1 if q is not linear in T
+ *   3. its word in verification/case/case_file.c, and in the table of verification/README.md
+ *   4. a scene with such a wall
+ * A problem with a nonlinear law is solved by solver/particles/nonlinear.c and the finite differences for k(T), which
+ * take any q; all solvers of dT/dt = A T + g refuse it.  A law that is linear in T is one of the kinds above. */
+struct wall_law {
+    const char *name; /* for messages */
+    int is_flux;      /* 1: `wall` is the flux into the body; 0: a temperature */
+    /* d q, W m^-1, for surroundings at `value` and a wall at T, and its derivative by T; NULL: T or q is given. */
+    double (*exchange)(const struct problem *p, enum side s, double d, double value, double T, double *slope);
+    int nonlinear;
+};
+extern const struct wall_law problem_laws[]; /* by enum side_kind */
+const struct wall_law *problem_law(const struct problem *p, int side);
+
+/* W m^-2 K^-1: b of a wall with the linear law q = b (T_a - T); 0 for other sides. */
+double problem_transfer(const struct problem *p, int side);
+
+/* NULL if the equation and the walls are linear in T; else what is not, for messages. */
+const char *problem_nonlinearity(const struct problem *p);
 
 /* Largest diffusivity over all materials and axes, m^2 s^-1. */
 double problem_diffusivity(const struct problem *p);

@@ -54,7 +54,7 @@ static int take_spectrum(const struct experiment *e, struct price *price, struct
     double unit = problem_diffusivity(&e->problem) / (e->options.dx * e->options.dx);
     if (particles_prepare(&e->problem, &e->options, scheme, &o, &l, &rows, why)) return why->status;
     if (particles_cloud(&e->problem, &o, scheme, &l, &c, why)) return why->status;
-    int status = operator_create_csr(&a, &e->problem, &o, scheme, &c, l.dx[0], why);
+    int status = assembly_operator(&a, &e->problem, &o, scheme, &c, l.dx[0], why);
     take_dummies(&c, price);
     layout_cloud_free(&c);
     if (status) return status;

@@ -37,7 +37,6 @@
  * Restrictions: two materials need the same k_x/k_y, for a common metric. */
 #include "solver/particles/particles.h"
 #include "solver/space/voronoi.h"
-#include "solver/space/voronoi_cell.h"
 
 #include <math.h>
 

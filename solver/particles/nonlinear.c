@@ -1,28 +1,297 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Particles with a conductivity that depends on T: dT/dt = L(T, t) by explicit steps, with walls and source at the
- * time of each stage.
+/* Particles for rho_c dT/dt = div(k grad T) + G that is not linear: k(T), or a wall with a flux that is not linear in
+ * its temperature.
  *
- *   euler  T += dt L(T, t)
- *   rk2    H = T + dt/2 L(T, t),  T += dt L(H, t + dt/2)
- *   rkl2   Y_1 = Y_0 + m_1 dt L_0
- *          Y_j = a_j Y_(j-1) + n_j Y_(j-2) + (1 - a_j - n_j) Y_0 + m_j dt L_(j-1) + g_j dt L_0
- *          a_j = (2j - 1)/j b_j/b_(j-1),  n_j = -(j - 1)/j b_j/b_(j-2),  m_j = w a_j,  g_j = -(1 - b_(j-1)) m_j,
- *          m_1 = w b_1,  w = 4/(s^2 + s - 2),  b_j = (j^2 + j - 2)/(2 j (j + 1)), b_0 = b_1 = b_2
+ * Rates, with theta, the integral of k (Kirchhoff 1894):
  *
- * (Meyer, Balsara & Aslam 2014, eqs. 16-18).  For an L that depends on time, t joins the unknowns with the rate 1:
- * a stage then has the time that the scheme itself gives to t, t + c_j dt with c_1 = m_1 = 4/(3 (s^2 + s - 2)) and
- * c_j = (j^2 + j - 2)/(s^2 + s - 2).  The conditions for order 2 are the same for linear and nonlinear L, so order 2
- * holds with data that change.
+ *   brookshaw  sum_j w_ij k_ij (T_j - T_i), w of the operator for k = 1; k_ij: --mean harmonic, arithmetic, or
+ *              kirchhoff, (theta_j - theta_i)/(T_j - T_i)
+ *   so_ssph    lap theta
+ *   fo_ssph    q = -k(T) <grad T>, -<div q>
  *
- * Without --dt a step is half of the stable one (rkl2: sqrt(t_end/bound)) for the largest k of the state at its
- * start.  RKL2 takes its number of stages from the same k. */
-#include "solver/particles/conduction.h"
+ * The product of kirchhoff's mean and T_j - T_i is theta_j - theta_i.  No quotient is formed, so equal temperatures
+ * need no limit and nothing cancels.  For a k linear in T this mean is the arithmetic one.
+ *
+ * Ghosts at the distance d beyond a wall are reflected in theta: 2 theta(T_w) - theta + d^2 theta_nn for a wall held
+ * at T_w, with theta_nn from the equation, and theta + 2 d q for a flux q.  A wall that exchanges heat has the
+ * temperature that obeys theta(T_w) - theta = d q(T_w), with `exchange` of its law as q, by Newton's method.  Beyond
+ * a corner the reflection along x comes first.
+ *
+ * Steps: dT/dt = L(T, t) by the stages of the stepper (struct stage), with walls and source at the time of each
+ * stage. Without --dt a step is half of the stable one, or the stepper's own length, for the largest k of the state
+ * at its start; a stepper that chooses its number of stages takes it from the same k.
+ *
+ * Restrictions: one isotropic material, plane walls, --walls mirror, order 2. */
+#include "solver/particles/nonlinear.h"
+
+#include "solver/particles/particles.h"
+#include "solver/space/assembly.h"
+#include "solver/space/blocks.h"
 #include "solver/space/sample.h"
 #include "solver/work.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* ---- Conductivity ---- */
+
+double nonlinear_k(const struct problem *p, double T) {
+    double u = T - p->k_ref;
+    if (p->k_law == K_CONSTANT) return p->material[0].k[0];
+    if (p->k_law == K_LINEAR) return fmax(0, p->k_0 * (1 + p->k_beta * u));
+    return u > 0 ? p->k_0 * pow(u, p->k_n) : 0;
+}
+
+double nonlinear_theta(const struct problem *p, double T) {
+    double u = T - p->k_ref;
+    if (p->k_law == K_CONSTANT) return p->material[0].k[0] * u;
+    if (p->k_law == K_LINEAR) return p->k_0 * u * (1 + p->k_beta * u / 2);
+    return u > 0 ? p->k_0 * u * pow(u, p->k_n) / (p->k_n + 1) : 0;
+}
+
+double nonlinear_T(const struct problem *p, double theta) {
+    double part = theta / (p->k_law == K_CONSTANT ? p->material[0].k[0] : p->k_0);
+    if (p->k_law == K_CONSTANT) return p->k_ref + part;
+    if (p->k_law == K_LINEAR) return p->k_ref + 2 * part / (1 + sqrt(fmax(0, 1 + 2 * p->k_beta * part)));
+    return p->k_ref + copysign(pow((p->k_n + 1) * fabs(part), 1 / (p->k_n + 1)), part);
+}
+
+enum operation { PAIRS, CURVATURE, TWICE };
+
+struct conduction {
+    struct problem unit; /* the problem with k = 1 */
+    const struct problem *p;
+    enum operation operation;
+    enum mean mean;
+    struct cloud cloud;
+    size_t *row;             /* total + 1 */
+    struct blocks_list list; /* neighbours and weights of the rows, w[0] */
+    double *across;          /* w[1] of TWICE in the plane */
+    double *T, *k, *theta;   /* total: K, W m^-1 K^-1, W m^-1 */
+    double *q[2];            /* W m^-2, total, of TWICE */
+    double row_sum;          /* largest sum of |w| and its diagonal for k = 1, m^-2 times 1/rho_c */
+    double most, lo, hi, heating;
+};
+
+static const char *const operations[] = {[PAIRS] = "brookshaw", [CURVATURE] = "so_ssph", [TWICE] = "fo_ssph", NULL};
+
+/* The operation of a method; that of the end of the list if it has none. */
+static enum operation operation_of(const struct scheme *s) {
+    int k = 0;
+    while (operations[k] && strcmp(operations[k], s->name) != 0) k++;
+    return (enum operation)k;
+}
+
+/* ---- Ghosts ---- */
+
+/* Temperature of a wall that exchanges heat with surroundings at T_a, at the distance d beyond a point with this
+ * theta and temperature T. */
+static double exchange_wall(const struct problem *p, int side, double d, double T_a, double theta, double T) {
+    enum { ITERATIONS = 50 };
+    for (int i = 0; i < ITERATIONS; i++) {
+        double slope, heat = problem_law(p, side)->exchange(p, (enum side)side, d, T_a, T, &slope);
+        double step = (nonlinear_theta(p, T) - theta - heat) / (nonlinear_k(p, T) - slope);
+        T -= step;
+        if (!(fabs(step) > 4 * DBL_EPSILON * fabs(T - p->k_ref))) break;
+    }
+    return T;
+}
+
+/* d^2 times the second derivative of theta across a held wall: rho_c dT/dt = theta_nn + theta_tt + G. */
+static double bend(const struct problem *p, int side, const double *foot, double d, double t) {
+    enum side s = (enum side)side;
+    double across =
+        (p->wall_rate ? p->material[0].rho_c * p->wall_rate(p, s, foot, t) : 0) - problem_source(p, foot, t);
+    double along = 0, middle = p->dim > 1 ? nonlinear_theta(p, p->wall(p, s, foot, t)) : 0;
+    for (int a = 0; a < p->dim; a++)
+        for (int up = -1; up <= 1 && a != side / 2; up += 2) {
+            double at[DIM_MAX] = {foot[0], foot[1], foot[2]};
+            at[a] += up * d;
+            along += nonlinear_theta(p, p->wall(p, s, at, t)) - middle;
+        }
+    return d * d * across - along;
+}
+
+static double reflect(struct conduction *c, int side, const double *foot, double d, double theta, double t) {
+    const struct problem *p = c->p;
+    double value = p->wall(p, (enum side)side, foot, t);
+    if (problem_law(p, side)->is_flux) {
+        double extent = p->hi[side / 2] - p->lo[side / 2];
+        c->heating = fmax(c->heating, fabs(value) / (p->material[0].rho_c * extent));
+        return theta + 2 * d * value;
+    }
+    c->lo = fmin(c->lo, value), c->hi = fmax(c->hi, value);
+    double curved = p->side[side] == DIRICHLET ? bend(p, side, foot, d, t) : 0;
+    if (problem_law(p, side)->exchange) value = exchange_wall(p, side, d, value, theta, nonlinear_T(p, theta));
+    c->most = fmax(c->most, nonlinear_k(p, value));
+    return 2 * nonlinear_theta(p, value) - theta + curved;
+}
+
+/* theta of ghost j; on periodic sides that of its source. */
+static double ghost_theta(struct conduction *c, size_t j, double t) {
+    const struct problem *p = c->p;
+    double at[DIM_MAX], ghost[DIM_MAX], theta = c->theta[c->cloud.source[j]];
+    layout_cloud_place(&c->cloud, c->cloud.source[j], at);
+    layout_cloud_place(&c->cloud, j, ghost);
+    for (int a = 0; a < p->dim; a++) {
+        int side = 2 * a + (ghost[a] > p->hi[a]);
+        double wall = ghost[a] > p->hi[a] ? p->hi[a] : p->lo[a];
+        if ((ghost[a] >= p->lo[a] && ghost[a] <= p->hi[a]) || p->side[side] == PERIODIC) continue;
+        at[a] = wall;
+        theta = reflect(c, side, at, fabs(ghost[a] - wall), theta, t);
+        at[a] = ghost[a];
+    }
+    return theta;
+}
+
+/* ---- Rows ---- */
+
+static int add_row(struct conduction *c, const struct assembly *m, size_t i, struct surroundings *at,
+                   struct failure *why) {
+    double weight[2][NEIGHBOURS_MAX], *w[DIM_MAX] = {weight[0], weight[1]}, sum = 0;
+    if (assembly_neighbourhood(m, i, at, why) || operator_weights(m->s, m->p, m->o, &at->nb, w, why))
+        return why->status;
+    size_t first = c->list.n;
+    for (size_t k = 0; k < at->nb.n; k++) blocks_list_add(&c->list, at->near[k], weight[0][k]);
+    if (c->across) {
+        c->across = xcheck(realloc(c->across, c->list.room * sizeof(double)), c->list.room, sizeof(double));
+        for (size_t k = 0; k < at->nb.n; k++) c->across[first + k] = weight[1][k];
+    }
+    for (size_t k = 0; k < at->nb.n; k++)
+        sum += fabs(weight[0][k]) + (c->operation == TWICE && c->unit.dim == 2 ? fabs(weight[1][k]) : 0);
+    if (c->operation == TWICE) sum = sum * sum / c->p->material[0].rho_c;
+    c->row_sum = fmax(c->row_sum, 2 * sum);
+    return STATUS_OK;
+}
+
+/* Rows of the particles; for TWICE also of the ghosts next to them. */
+static int add_rows(struct conduction *c, const struct assembly *m, struct failure *why) {
+    struct surroundings *at = xcalloc(1, sizeof *at);
+    unsigned char *wanted = xcalloc(c->cloud.total, 1);
+    int status = STATUS_OK;
+    for (size_t i = 0; i < c->cloud.total && !status; i++) {
+        if (i < c->cloud.n || wanted[i]) status = add_row(c, m, i, at, why);
+        c->row[i + 1] = c->list.n;
+        for (size_t k = c->row[i]; k < c->row[i + 1] && i < c->cloud.n && c->operation == TWICE; k++)
+            wanted[c->list.point[k]] = 1;
+    }
+    free(wanted);
+    free(at);
+    return status;
+}
+
+static int conduction_create(struct conduction **out, const struct problem *p, const struct options *o,
+                             const struct scheme *s, const struct lattice *l, struct failure *why) {
+    struct conduction *c = xcalloc(1, sizeof *c);
+    struct assembly m;
+    *c = (struct conduction){
+        .unit = *p, .p = p, .operation = operation_of(s), .mean = o->mean, .lo = INFINITY, .hi = -INFINITY};
+    for (int a = 0; a < p->dim; a++) c->unit.material[0].k[a] = 1;
+    *out = c;
+    if (particles_cloud(p, o, s, l, &c->cloud, why)) return why->status;
+    size_t total = c->cloud.total;
+    c->row = xcalloc(total + 1, sizeof *c->row);
+    double **array[] = {&c->T, &c->k, &c->theta, &c->q[0], &c->q[1]};
+    for (size_t k = 0; k < (c->operation == TWICE ? 5 : 3); k++) *array[k] = xcalloc(total, sizeof(double));
+    if (c->operation == TWICE && p->dim == 2) c->across = xcalloc(1, sizeof(double));
+    if (assembly_create(&m, &c->unit, o, s, &c->cloud, l->dx[0], why)) return why->status;
+    int status = add_rows(c, &m, why);
+    assembly_free(&m);
+    return status;
+}
+
+static void conduction_free(struct conduction *c) {
+    if (!c) return;
+    layout_cloud_free(&c->cloud);
+    double *array[] = {c->T, c->k, c->theta, c->q[0], c->q[1], c->across, c->list.value};
+    for (size_t k = 0; k < sizeof array / sizeof *array; k++) free(array[k]);
+    free(c->row);
+    free(c->list.point);
+    free(c);
+}
+
+/* ---- Rates ---- */
+
+static void set_points(struct conduction *c, const double *T, double t) {
+    const struct problem *p = c->p;
+    c->most = 0;
+    for (size_t i = 0; i < c->cloud.n; i++) c->T[i] = T[i], c->theta[i] = nonlinear_theta(p, T[i]);
+    for (size_t j = c->cloud.n; j < c->cloud.total; j++) {
+        c->theta[j] = ghost_theta(c, j, t);
+        c->T[j] = nonlinear_T(p, c->theta[j]);
+    }
+    for (size_t i = 0; i < c->cloud.total; i++) {
+        c->k[i] = nonlinear_k(p, c->T[i]);
+        if (!(c->k[i] <= c->most)) c->most = c->k[i]; /* a NaN stays */
+    }
+}
+
+static double pair_flux(const struct conduction *c, size_t i, size_t j) {
+    double sum = c->k[i] + c->k[j];
+    if (c->mean == MEAN_HARMONIC) return sum > 0 ? 2 * c->k[i] * c->k[j] / sum * (c->T[j] - c->T[i]) : 0;
+    if (c->mean == MEAN_ARITHMETIC) return sum / 2 * (c->T[j] - c->T[i]);
+    return c->theta[j] - c->theta[i];
+}
+
+/* q = k <grad T>, W m^-2, of every point with a row */
+static void set_flux(struct conduction *c) {
+    for (size_t i = 0; i < c->cloud.total; i++) {
+        double sum[2] = {0, 0};
+        for (size_t k = c->row[i]; k < c->row[i + 1]; k++) {
+            double apart = c->T[c->list.point[k]] - c->T[i];
+            sum[0] += c->list.value[k] * apart;
+            if (c->across) sum[1] += c->across[k] * apart;
+        }
+        for (int a = 0; a < 2; a++) c->q[a][i] = c->k[i] * sum[a];
+    }
+}
+
+static void conduction_rate(struct conduction *c, const double *T, double t, double *out) {
+    const struct problem *p = c->p;
+    set_points(c, T, t);
+    if (c->operation == TWICE) set_flux(c);
+    for (size_t i = 0; i < c->cloud.n; i++) {
+        double sum = 0, x[DIM_MAX];
+        for (size_t k = c->row[i]; k < c->row[i + 1]; k++) {
+            size_t j = c->list.point[k];
+            double w = c->list.value[k];
+            if (c->operation == TWICE) {
+                sum += w * (c->q[0][j] - c->q[0][i]) + (c->across ? c->across[k] * (c->q[1][j] - c->q[1][i]) : 0);
+            } else
+                sum += w * (c->operation == CURVATURE ? c->theta[j] - c->theta[i] : pair_flux(c, i, j));
+        }
+        if (c->operation == TWICE) sum /= p->material[0].rho_c;
+        layout_cloud_place(&c->cloud, i, x);
+        double heating = problem_source(p, x, t) / p->material[0].rho_c;
+        c->heating = fmax(c->heating, fabs(heating));
+        out[i] = sum + heating;
+    }
+}
+
+static const struct cloud *conduction_cloud(const struct conduction *c) {
+    return &c->cloud;
+}
+
+static double conduction_bound(const struct conduction *c) {
+    return c->row_sum * c->most;
+}
+
+static void conduction_range(const struct conduction *c, double *lo, double *hi, double *heating) {
+    *lo = c->lo, *hi = c->hi, *heating = c->heating;
+}
+
+static size_t conduction_pairs(const struct conduction *c) {
+    return c->row[c->cloud.total];
+}
+
+static size_t conduction_bytes(const struct conduction *c) {
+    size_t row = c->list.n * (sizeof(double) * (c->across ? 2 : 1) + sizeof *c->list.point);
+    return row + c->cloud.total * (sizeof *c->row + sizeof(double) * (c->operation == TWICE ? 5 : 3));
+}
+
+/* ---- Steps ---- */
 
 struct run {
     struct conduction *c;
@@ -41,31 +310,18 @@ static void apply(struct run *r, const double *T, double t, double *out) {
     r->applications++;
 }
 
-static void step_euler(struct run *r) {
-    for (size_t i = 0; i < r->n; i++) r->T[i] += r->dt * r->state[2][i];
-}
-
-static void step_rk2(struct run *r) {
-    for (size_t i = 0; i < r->n; i++) r->state[0][i] = r->T[i] + r->dt / 2 * r->state[2][i];
-    apply(r, r->state[0], r->t + r->dt / 2, r->state[3]);
-    for (size_t i = 0; i < r->n; i++) r->T[i] += r->dt * r->state[3][i];
-}
-
-static double b(int j) {
-    return j < 2 ? 1. / 3 : ((double)j * j + j - 2) / (2 * j * (j + 1.0));
-}
-
-static void step_rkl2(struct run *r, int s) {
-    double all = (double)s * s + s - 2, w = 4 / all, *newer = r->state[0], *older = r->state[1];
+/* A step of s stages, from L_0 in state[2]. */
+static void step(struct run *r, int s) {
+    double *newer = r->state[0], *older = r->state[1];
     const double *L0 = r->state[2], *L = r->state[3];
-    for (size_t i = 0; i < r->n; i++) older[i] = r->T[i], newer[i] = r->T[i] + w * b(1) * r->dt * L0[i];
+    struct stage g = r->stepper->stage(s, 1);
+    for (size_t i = 0; i < r->n; i++) older[i] = r->T[i], newer[i] = r->T[i] + g.rate * r->dt * L0[i];
     for (int j = 2; j <= s; j++) {
-        double c = j == 2 ? w * b(1) : ((j - 1.0) * (j - 1) + j - 3) / all;
-        double a = (2.0 * j - 1) / j * b(j) / b(j - 1), v = -(j - 1.0) / j * b(j) / b(j - 2), m = w * a;
-        apply(r, newer, r->t + c * r->dt, r->state[3]);
+        g = r->stepper->stage(s, j);
+        apply(r, newer, r->t + g.time * r->dt, r->state[3]);
         for (size_t i = 0; i < r->n; i++)
-            older[i] =
-                a * newer[i] + v * older[i] + (1 - a - v) * r->T[i] + r->dt * m * (L[i] - (1 - b(j - 1)) * L0[i]);
+            older[i] = g.newer * newer[i] + g.older * older[i] + (1 - g.newer - g.older) * r->T[i] +
+                       r->dt * g.rate * (L[i] - g.first * L0[i]);
         double *swap = newer;
         newer = older, older = swap;
     }
@@ -111,12 +367,7 @@ static int march(struct run *r, const double data[2], struct failure *why) {
                           "unstable: at step %lld (t = %.6g s) k(T) would need steps of %.3g s with %d stages",
                           r->steps, r->t, r->dt, s);
         r->stages = s > r->stages ? s : r->stages;
-        if (r->stepper->count)
-            step_rkl2(r, s);
-        else if (r->stepper->stages == 2)
-            step_rk2(r);
-        else
-            step_euler(r);
+        step(r, s);
         double left = r->p->t_end - r->t;
         r->t = left - r->dt <= 1e-9 * r->dt ? r->p->t_end : r->t + r->dt;
         r->steps++;
@@ -125,7 +376,7 @@ static int march(struct run *r, const double data[2], struct failure *why) {
     return STATUS_OK;
 }
 
-static void count(const struct run *r, const struct lattice *l, struct field *f) {
+static void set_counts(const struct run *r, const struct lattice *l, struct field *f) {
     f->h = r->o->h;
     f->steps = r->steps, f->stages = r->stages, f->dt = r->steps ? r->p->t_end / (double)r->steps : 0;
     f->applications = r->applications;
@@ -148,8 +399,8 @@ static double heat(const struct problem *p, const struct field *f, double volume
 }
 
 /* Positions and initial data. */
-static void start(const struct problem *p, const struct options *o, const struct lattice *l, const struct cloud *c,
-                  struct field *f) {
+static void set_start(const struct problem *p, const struct options *o, const struct lattice *l,
+                      const struct cloud *c, struct field *f) {
     field_alloc(f, p->dim, c->n);
     f->range[0] = INFINITY, f->range[1] = -INFINITY;
     for (size_t i = 0; i < f->n; i++) {
@@ -169,11 +420,14 @@ int nonlinear_solve(const struct method *m, const struct problem *p, const struc
     struct conduction *c = NULL;
     struct field f = {0};
     int rows;
+    if (!operations[operation_of(m->scheme)])
+        return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; use so_ssph, fo_ssph, brookshaw or ftcs", m->name,
+                      problem_nonlinearity(p));
     if (particles_prepare(p, given, m->scheme, &o, &l, &rows, why)) return why->status;
     if (o.stepper == STEPPER_AUTO) o.stepper = stepper_auto(1, o.dt > 0 || o.fourier > 0, 0);
     int status = conduction_create(&c, p, &o, m->scheme, &l, why);
     if (!status) {
-        start(p, &o, &l, conduction_cloud(c), &f);
+        set_start(p, &o, &l, conduction_cloud(c), &f);
         struct run r = {.c = c, .p = p, .o = &o, .stepper = stepper_of(o.stepper), .n = f.n, .T = f.T};
         for (int k = 0; k < 4; k++) r.state[k] = xcalloc(f.n, sizeof(double));
         f.heat[0] = heat(p, &f, layout_volume(&l));
@@ -182,7 +436,7 @@ int nonlinear_solve(const struct method *m, const struct problem *p, const struc
         f.cost.step_seconds = field_clock() - loop;
         f.heat[1] = heat(p, &f, layout_volume(&l));
         f.time = p->t_end;
-        count(&r, &l, &f);
+        set_counts(&r, &l, &f);
         for (int k = 0; k < 4; k++) free(r.state[k]);
     }
     conduction_free(c);

@@ -1,19 +1,183 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper ->
- * field. */
+/* Which options go together, as one table (a condition, the option that it refuses, the reason and the remedy), and
+ * what a run needs from them: defaults, lattice, cloud. */
 #include "solver/particles/particles.h"
-#include "solver/particles/compatibility.h"
-#include "solver/particles/conduction.h"
-#include "solver/particles/start.h"
+
 #include "solver/particles/walls.h"
+#include "solver/shape.h"
 #include "solver/time/matched.h"
-#include "solver/space/sample.h"
-#include "solver/space/voronoi.h"
-#include "solver/time/stepper.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
+#include <stdio.h>
+
+int particles_rows(const struct problem *p, const struct options *o) {
+    return options_is_cloud(o) || p->materials == 2 || p->side[X_LO] == PERIODIC || layout_is_cut(p, o);
+}
+
+enum subject { LAYOUT, WALLS, SHIFT, SAMPLING, ORDER, VOLUME, MEAN, STEPPER, METHOD };
+
+struct rule {
+    int refuses;
+    enum subject subject;
+    const char *reason, *use;
+};
+
+static void name_subject(enum subject subject, const struct options *o, const struct scheme *s, char text[80]) {
+    switch (subject) {
+    case LAYOUT:
+        snprintf(text, 80, "--layout %s", layout_words[o->layout]);
+        break;
+    case WALLS:
+        snprintf(text, 80, "--walls %s", walls_words[o->walls]);
+        break;
+    case SHIFT:
+        snprintf(text, 80, "--shift %g", o->shift);
+        break;
+    case SAMPLING:
+        snprintf(text, 80, "--sampling %s", sampling_words[o->sampling]);
+        break;
+    case ORDER:
+        snprintf(text, 80, "--order %d", o->order);
+        break;
+    case VOLUME:
+        snprintf(text, 80, "--volume %s", volume_words[o->volume]);
+        break;
+    case MEAN:
+        snprintf(text, 80, "--mean %s", mean_words[o->mean]);
+        break;
+    case STEPPER:
+        snprintf(text, 80, "--stepper %s", stepper_words[o->stepper]);
+        break;
+    case METHOD:
+        snprintf(text, 80, "%s", s->name);
+        break;
+    }
+}
+
+static int has_wall(const struct problem *p, enum side_kind kind) {
+    for (int side = 0; side < SIDES; side++)
+        if (shape_has_wall(p, side) && p->side[side] == kind) return 1;
+    return 0;
+}
+
+/* The law of a wall that exchanges heat; NULL if there is none. */
+static const struct wall_law *exchanging(const struct problem *p) {
+    for (int side = 0; side < SIDES; side++)
+        if (shape_has_wall(p, side) && problem_law(p, side)->exchange) return problem_law(p, side);
+    return NULL;
+}
+
+/* A boundary condition of the problem that the dummies of the options do not support; PERIODIC if there is none. */
+static enum side_kind kind_without_dummies(const struct problem *p, enum walls walls) {
+    for (int side = 0; side < SIDES; side++)
+        if (shape_has_wall(p, side) && !walls_support(walls, problem_law(p, side))) return p->side[side];
+    return PERIODIC;
+}
+
+/* The first material with unequal conductivities; NULL if there is none. */
+static const struct material *anisotropic(const struct problem *p) {
+    for (int m = 0; m < p->materials; m++)
+        for (int a = 1; a < p->dim; a++)
+            if (p->material[m].k[0] != p->material[m].k[a]) return &p->material[m];
+    return NULL;
+}
+
+int particles_check(const struct problem *p, const struct options *o, const struct scheme *s, struct failure *why) {
+    const struct stepper *stepper = stepper_of(o->stepper);
+    const int round = p->shape != NULL, periodic = !round && p->side[X_LO] == PERIODIC, two = p->materials == 2;
+    const int cut = layout_is_cut(p, o), twice = cut && s->sweeps == 2;
+    const struct wall_law *exchange = exchanging(p);
+    const int node = o->layout == LAYOUT_NODE, settled = o->layout == LAYOUT_RELAXED;
+    const char *const law = problem_nonlinearity(p); /* NULL: linear */
+    const int mirror = o->walls == WALLS_MIRROR, matched = options_is_matched(o);
+    const enum side_kind kind = kind_without_dummies(p, o->walls);
+    const struct material *unequal = anisotropic(p);
+    /* every row is the stencil of a square lattice */
+    const int uniform = periodic && o->layout == LAYOUT_LATTICE && !two && !unequal && !p->source;
+    const struct material *m = unequal ? unequal : &p->material[0];
+    const int space = p->dim == 3;
+    char axes[120], wall[60], midway[80], varies[100], steppers[2][STEPPER_LIST];
+    int used = snprintf(axes, sizeof axes, "isotropic conductivity only, the scene has k_x = %g", m->k[0]);
+    if (space) used += snprintf(axes + used, sizeof axes - (size_t)used, ", k_y = %g", m->k[1]);
+    snprintf(axes + used, sizeof axes - (size_t)used, " and k_%c = %g", space ? 'z' : 'y', m->k[space ? 2 : 1]);
+    snprintf(wall, sizeof wall, "does not support a %s wall", problem_laws[kind].name);
+    snprintf(midway, sizeof midway, "a %s wall is midway between a particle and its ghost",
+             exchange ? exchange->name : "");
+    snprintf(varies, sizeof varies, "the temperature of a %s wall varies, and its ghosts are second order",
+             exchange ? exchange->name : "");
+
+    const struct rule rules[] = {
+        {space && s->cells, METHOD, "its cells are polygons, on a rod and in the plane only", "so_ssph"},
+        /* materials and data */
+        {o->volume == VOLUME_TUNED && s->volume && !s->tuned, VOLUME, "supported by brookshaw only", "moment or raw"},
+        {two && !s->two_materials, METHOD, "one material only, the scene has two", "brookshaw or contact_ssph"},
+        {s->isotropic && unequal, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
+        {two && o->sampling == SAMPLING_SPLINE, SAMPLING, "four cells of two materials have no common average",
+         "point or cell"},
+        {problem_changes(p) && !law && (cut || two), METHOD,
+         "walls or a source that change in time need one material and plane walls that do not cut the lattice",
+         "--walls mirror or fixed without --shift"},
+        /* k(T) */
+        {law && unequal, METHOD, axes, "materials with k_x = k_y"},
+        {law && stepper && !stepper->stage, STEPPER, "k depends on temperature here, and so does the operator",
+         stepper_list(1, steppers[0])},
+        {law && o->order > 2, ORDER, "with a k that depends on temperature, ghosts are second order", "2"},
+        {law && (cut || !mirror), WALLS, "k depends on temperature here, and ghosts are images",
+         "mirror, no --shift"},
+        {law && (node || settled), LAYOUT, "k depends on temperature here", "lattice, jitter or hexagonal"},
+        {law && o->sampling == SAMPLING_SPLINE, SAMPLING, "k depends on temperature here", "point or cell"},
+        {law && o->mean == MEAN_SERIES, MEAN, "is for two materials", "harmonic, arithmetic or kirchhoff"},
+        {!law && o->mean == MEAN_KIRCHHOFF, MEAN, "is for a k that depends on temperature",
+         "harmonic, arithmetic or series"},
+        /* layouts */
+        {space && (settled || o->layout == LAYOUT_HEXAGONAL), LAYOUT, "on a rod and in the plane only",
+         "lattice or jitter"},
+        {node && periodic, LAYOUT, "the scene has no walls", "lattice"},
+        {node && exchange, LAYOUT, midway, "lattice"},
+        {node && two, LAYOUT, "two materials give each particle a row of its own", "lattice"},
+        {node && cut, LAYOUT, "requires walls between particles", "lattice, jitter or hexagonal"},
+        {cut && settled, LAYOUT, "particles settle between plane walls, with --walls mirror and no --shift",
+         "lattice, jitter or hexagonal"},
+        {cut && !round && o->layout == LAYOUT_HEXAGONAL, LAYOUT, "requires --walls mirror without --shift here",
+         "lattice or jitter"},
+        /* walls */
+        {periodic && o->shift > 0, SHIFT, "the scene is periodic and has no walls", "0"},
+        {periodic && !mirror, WALLS, "the scene is periodic and has no walls", "mirror"},
+        {cut && s->cells && !(round && mirror), WALLS, "only round walls can cut cells",
+         "--walls mirror without --shift"},
+        {cut && two, METHOD, "on a cut lattice one material only, the scene has two",
+         "--walls mirror without --shift"},
+        {cut && o->order > 2, ORDER, "on a cut lattice dummies are exact for quadratics only", "2"},
+        {exchange && o->order > 2, ORDER, varies, "2"},
+        {twice && s->adjoint, METHOD, "on a cut lattice an adjoint cannot include dummies", "so_ssph"},
+        {twice && o->walls == WALLS_DISTANCE, WALLS, "a dummy that differs from pair to pair has no derivative",
+         "fit"},
+        /* mirror images are off the lattice; with image 8 of 12 lattices in a disc had growing modes */
+        {twice && p->dim > 1 && (mirror || o->walls == WALLS_IMAGE), WALLS,
+         "modes grow where a derivative is applied twice", "fit"},
+        {o->walls == WALLS_ONE_SIDED && !s->at_wall, WALLS, "needs the least squares of so_ssph", "fit"},
+        {round && o->sampling != SAMPLING_POINT, SAMPLING, "a round wall cuts cells", "point"},
+        {round && mirror && !s->cells, WALLS, "images of particles need plane walls, the scene has round ones",
+         "fit"},
+        {cut && kind != PERIODIC, WALLS, wall, "fit"},
+        /* steppers */
+        {stepper && stepper->needs && particles_rows(p, o) && !(matched && uniform), STEPPER,
+         "requires one stencil for all particles",
+         "--layout lattice or node, one material and plane walls between particles or on them"},
+        {problem_changes(p) && stepper && stepper->needs, STEPPER, "solves dT/dt = A T + g with a constant g only",
+         stepper_list(0, steppers[1])},
+        {matched && exchange, STEPPER, varies, "another stepper"},
+        {stepper && stepper->evolve && o->walls == WALLS_FIXED && has_wall(p, DIRICHLET), STEPPER,
+         "a transform requires mirror walls", "--walls mirror"},
+    };
+    for (size_t k = 0; k < sizeof rules / sizeof *rules; k++) {
+        char subject[80];
+        if (!rules[k].refuses) continue;
+        name_subject(rules[k].subject, o, s, subject);
+        return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; use %s", subject, rules[k].reason, rules[k].use);
+    }
+    return s->check ? s->check(p, o, why) : STATUS_OK;
+}
 
 int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,
                       struct options *resolved, struct failure *why) {
@@ -22,13 +186,9 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     if (o->h == 0) resolved->h = s->h ? s->h(p) : 1.1 * order / 2;
     if (o->layout == LAYOUT_RELAXED && o->jitter == 0) resolved->jitter = 0.5;
     if (o->layout == LAYOUT_RELAXED && o->sweeps == 0) resolved->sweeps = 2000;
-    if (compatibility_check(p, resolved, s, why)) return why->status;
+    if (particles_check(p, resolved, s, why)) return why->status;
     if (o->h_iso) return matched_isotropic(p->dim, resolved, s, &resolved->h, why);
     return STATUS_OK;
-}
-
-int particles_rows(const struct problem *p, const struct options *o) {
-    return options_is_cloud(o) || p->materials == 2 || p->side[X_LO] == PERIODIC || layout_is_cut(p, o);
 }
 
 int particles_prepare(const struct problem *p, const struct options *o, const struct scheme *s,
@@ -41,68 +201,6 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
     return stepper->needs(p, o, s, l, why);
 }
 
-/* rho_c: J m^-3 K^-1, of each point's cell; NULL if it follows from the position.  Four independent partial sums
- * within one material hide the latency. */
-static double heat_content(const struct problem *p, const struct field *f, const double *rho_c, double cell,
-                           double volume) {
-    double sum[4] = {0}, all = 0;
-    size_t i = 0;
-    if (p->materials == 1 && !f->weight) {
-        for (; i + 4 <= f->n; i += 4)
-            for (size_t k = 0; k < 4; k++) sum[k] += f->T[i + k];
-        for (; i < f->n; i++) sum[i % 4] += f->T[i];
-    }
-    for (; i < f->n; i++) {
-        double x[DIM_MAX], held = rho_c ? rho_c[i] : layout_rho_c(p, cell, field_place(f, i, x)[0]);
-        all += held * f->T[i] * (f->weight ? f->weight[i] : volume);
-    }
-    return all + p->material[0].rho_c * ((sum[0] + sum[1]) + (sum[2] + sum[3])) * volume;
-}
-
-/* Min and max of T.  Eight independent accumulators hide the latency. */
-static void find_range(const struct field *f, double range[2]) {
-    enum { APART = 8 };
-    double lo[APART], hi[APART];
-    for (size_t k = 0; k < APART; k++) lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
-    size_t i = 0;
-    for (; i + APART <= f->n; i += APART)
-        for (size_t k = 0; k < APART; k++) {
-            double T = f->T[i + k];
-            lo[k] = T < lo[k] ? T : lo[k];
-            hi[k] = T > hi[k] ? T : hi[k];
-        }
-    range[0] = HUGE_VAL, range[1] = -HUGE_VAL;
-    for (; i < f->n; i++) range[0] = fmin(range[0], f->T[i]), range[1] = fmax(range[1], f->T[i]);
-    for (size_t k = 0; k < APART; k++) range[0] = fmin(range[0], lo[k]), range[1] = fmax(range[1], hi[k]);
-}
-
-/* Averaged initial data stay in range; heat-conserving data may overshoot by a fraction of the jump.  The limit is
- * half of the range, as for a run. */
-static int check_start(const struct field *f, struct failure *why) {
-    double slack = (f->range[1] - f->range[0]) / 2 + 1e-9 * fmax(fabs(f->range[0]), fabs(f->range[1]));
-    for (size_t i = 0; i < f->n; i++) {
-        if (f->T[i] >= f->range[0] - slack && f->T[i] <= f->range[1] + slack) continue;
-        double x[DIM_MAX];
-        char place[PLACE_TEXT];
-        return refuse(why, STATUS_NUMERICAL,
-                      "the initial temperature of particle %zu at %s is %.4g K, the data are in [%.4g, %.4g] K; use "
-                      "another --sampling, --h or layout",
-                      i, problem_place(f->dim, field_place(f, i, x), place), f->T[i], f->range[0], f->range[1]);
-    }
-    return STATUS_OK;
-}
-
-/* room: of T, for a state. */
-static void place_on_lattice(const struct lattice *l, size_t room, struct field *f) {
-    field_alloc_lattice(f, l->dim, l->n, xcalloc(room, sizeof *f->T));
-    for (int a = 0; a < l->dim; a++)
-        for (int i = 0; i < l->n[a]; i++) {
-            double x[DIM_MAX];
-            layout_position(l, i, i, i, x);
-            f->x[a][i] = x[a];
-        }
-}
-
 double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l) {
     return s->sweeps * 2.0 * o->h * l->dx[0];
 }
@@ -112,107 +210,5 @@ int particles_cloud(const struct problem *p, const struct options *o, const stru
     if (layout_cloud(p, o, l, particles_reach(o, s, l), c, why)) return why->status;
     int status = walls_fill(p, o, c, l->dx[0], why);
     if (status) layout_cloud_free(c);
-    return status;
-}
-
-/* 1 if the initial data are averaged over the cells of the scheme. */
-static int averages_cells(const struct options *o, const struct scheme *s) {
-    return s->cells && o->sampling == SAMPLING_CELL;
-}
-
-static int place_cloud(const struct problem *p, const struct options *o, const struct scheme *s,
-                       const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
-    struct cloud c;
-    if (particles_cloud(p, o, s, l, &c, why)) return why->status;
-    int status = operator_create_csr(a, p, o, s, &c, l->dx[0], why);
-    field_alloc(f, p->dim, c.n);
-    if (!status && averages_cells(o, s)) status = voronoi_average(p, &c, o->threads, f->T, why);
-    for (size_t i = 0; i < c.n; i++) {
-        double x[DIM_MAX];
-        layout_cloud_place(&c, i, x);
-        field_put(f, i, x);
-    }
-    f->weight = a->volume, a->volume = NULL;
-    if (!f->weight) f->weight = c.cell, c.cell = NULL;
-    if (a->images && !status) {
-        a->images->cloud = xcalloc(1, sizeof c);
-        *a->images->cloud = c;
-    } else {
-        layout_cloud_free(&c);
-    }
-    return status;
-}
-
-/* Initial temperature of a particle off the lattice; on a Dirichlet wall the wall's temperature, which it keeps. */
-static double start_at(const struct problem *p, const struct options *o, const struct lattice *l, const double x[2]) {
-    double cell = layout_cell(o, l->dx[0]);
-    if (layout_is_cut(p, o)) {
-        int wall;
-        struct foot f = shape_nearest(p, x, &wall);
-        if (p->side[wall] == DIRICHLET && f.depth <= LAYOUT_ON_WALL * l->dx[0])
-            return p->wall(p, (enum side)wall, f.x, 0);
-    }
-    return (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, l->dx, x);
-}
-
-/* Sets positions, operator and shape of the field. */
-static int place(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
-                 int rows, struct heat_operator *a, struct field *f, struct failure *why) {
-    if (rows) {
-        if (place_cloud(p, o, s, l, a, f, why)) return why->status;
-        int ordered = p->dim == 1 && !options_is_cloud(o); /* else by cells */
-        for (int d = 0; d < DIM_MAX && ordered; d++) f->shape[d] = d ? 1 : (int)f->n;
-    } else {
-        if (operator_create_lattice(a, p, o, s, l, why)) return why->status;
-        place_on_lattice(l, a->state, f);
-    }
-    for (int d = 0; d < p->dim; d++) f->spacing[d] = l->dx[d];
-    return STATUS_OK;
-}
-
-static int set_start(const struct problem *p, const struct options *o, const struct scheme *s,
-                     const struct lattice *l, int rows, struct heat_operator *a, struct field *f,
-                     struct failure *why) {
-    if (!rows) sample_lattice(p, o->sampling, l, f->T);
-    if (options_is_matched(o) && !rows) matched_source(p, o, a, f->T);
-    for (size_t i = 0; i < f->n && rows && !averages_cells(o, s); i++) {
-        double x[DIM_MAX];
-        f->T[i] = start_at(p, o, l, field_place(f, i, x));
-    }
-    find_range(f, f->range);
-    if (start_is_kept(p, o, s) && start_keep_heat(p, o, s, f, why)) return why->status;
-    return check_start(f, why);
-}
-
-int particles_solve(const struct method *m, const struct problem *p, const struct options *given, struct field *out,
-                    struct failure *why) {
-    double begin = field_clock();
-    struct options o;
-    struct lattice l;
-    int rows;
-    if (p->k_law) return nonlinear_solve(m, p, given, out, why);
-    if (particles_prepare(p, given, m->scheme, &o, &l, &rows, why)) return why->status;
-    if (o.stepper == STEPPER_AUTO) o.stepper = stepper_auto(1, o.dt > 0 || o.fourier > 0, 0);
-
-    struct field f = {0};
-    struct heat_operator a = {0};
-    int status = place(p, &o, m->scheme, &l, rows, &a, &f, why);
-    f.time = p->t_end;
-    if (!status) status = set_start(p, &o, m->scheme, &l, rows, &a, &f, why);
-    if (!status) {
-        double volume = layout_volume(&l), cell = layout_cell(&o, l.dx[0]);
-        f.heat[0] = heat_content(p, &f, a.rho_c, cell, volume);
-        double loop = field_clock();
-        status = particles_integrate(p, &o, m->scheme, &l, &a, &f, why);
-        f.cost.step_seconds = field_clock() - loop;
-        if (a.state > a.n) f.T = xcheck(realloc(f.T, f.n * sizeof *f.T), f.n, sizeof *f.T);
-        f.heat[1] = heat_content(p, &f, a.rho_c, cell, volume);
-    }
-    operator_free(&a);
-    f.cost.seconds = field_clock() - begin;
-    if (status)
-        field_free(&f);
-    else
-        *out = f;
     return status;
 }

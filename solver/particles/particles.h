@@ -21,7 +21,11 @@ int particles_growth(const struct method *m, const struct problem *p, const stru
 
 /* ---- Parts ---- */
 
-/* Checks the options and fills in their defaults (h). */
+/* Checks resolved options: STATUS_NOT_APPLICABLE from the first row of the table that refuses them, or the result of
+ * the scheme's own check. */
+int particles_check(const struct problem *p, const struct options *o, const struct scheme *s, struct failure *why);
+
+/* Fills in the defaults of the options (h) and checks them. */
 int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,
                       struct options *resolved, struct failure *why);
 
@@ -38,9 +42,5 @@ int particles_cloud(const struct problem *p, const struct options *o, const stru
 
 /* Distance from a wall within which particles need ghosts, m. */
 double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l);
-
-/* Runs the time steps from f->T, for resolved options; sets counts, cost and ranges of *f. */
-int particles_integrate(const struct problem *p, const struct options *o, const struct scheme *s,
-                        const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why);
 
 #endif

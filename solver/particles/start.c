@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Heat content of initial data with a jump at the contact of two materials, as conserved by the operator.
+/* The initial temperatures of a run.
+ *
+ * Heat content of initial data with a jump at the contact of two materials, as conserved by the operator:
  *
  * Rows that are exact for piecewise quadratics across the interface are not symmetric.  They conserve sum_i l_i T_i
  * with l A = 0, where l_i differs from a particle's heat capacity next to the contact (on clouds everywhere).  Let
@@ -12,11 +14,18 @@
  * l is the stationary distribution of a Markov chain with the rates A_ij.  For rates >= 0 elimination from the far
  * end computes it without cancellation (Grassmann, Taksar, Heyman 1985, Oper. Res. 33:1107). */
 #include "solver/particles/start.h"
+
 #include "solver/particles/particles.h"
+#include "solver/shape.h"
+#include "solver/space/assembly.h"
 #include "solver/space/kernel.h"
+#include "solver/space/sample.h"
+#include "solver/time/matched.h"
 
 #include <math.h>
 #include <stdlib.h>
+
+/* ---- The heat of a jump at a contact ---- */
 
 static size_t band_of(const struct heat_operator *a) {
     size_t band = 0;
@@ -74,7 +83,7 @@ static int insulate(const struct problem *p, const struct options *o, const stru
     there.placed = f;
     if (layout_lattice(&q, &there, &l, why)) return why->status;
     if (layout_cloud(&q, &there, &l, particles_reach(&there, s, &l), &c, why)) return why->status;
-    int status = operator_create_csr(a, &q, &there, s, &c, l.dx[0], why);
+    int status = assembly_operator(a, &q, &there, s, &c, l.dx[0], why);
     layout_cloud_free(&c);
     return status;
 }
@@ -83,8 +92,8 @@ int start_is_kept(const struct problem *p, const struct options *o, const struct
     return s->keeps_start && p->materials == 2 && p->dim == 1 && o->sampling == SAMPLING_CELL;
 }
 
-int start_keep_heat(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
-                    struct failure *why) {
+static int keep_heat(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
+                     struct failure *why) {
     double apart = 1e-10 * (p->hi[0] - p->lo[0]), low[2] = {p->interface - apart, 0},
            high[2] = {p->interface + apart, 0};
     double jump = p->initial(p, high) - p->initial(p, low);
@@ -107,4 +116,68 @@ int start_keep_heat(const struct problem *p, const struct options *o, const stru
     free(l);
     operator_free(&a);
     return status;
+}
+
+/* ---- All data ---- */
+
+/* Min and max of T.  Eight independent accumulators hide the latency. */
+static void find_range(const struct field *f, double range[2]) {
+    enum { APART = 8 };
+    double lo[APART], hi[APART];
+    for (size_t k = 0; k < APART; k++) lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
+    size_t i = 0;
+    for (; i + APART <= f->n; i += APART)
+        for (size_t k = 0; k < APART; k++) {
+            double T = f->T[i + k];
+            lo[k] = T < lo[k] ? T : lo[k];
+            hi[k] = T > hi[k] ? T : hi[k];
+        }
+    range[0] = HUGE_VAL, range[1] = -HUGE_VAL;
+    for (; i < f->n; i++) range[0] = fmin(range[0], f->T[i]), range[1] = fmax(range[1], f->T[i]);
+    for (size_t k = 0; k < APART; k++) range[0] = fmin(range[0], lo[k]), range[1] = fmax(range[1], hi[k]);
+}
+
+/* Averaged initial data stay in range; heat-conserving data may overshoot by a fraction of the jump.  The limit is
+ * half of the range, as for a run. */
+static int check_start(const struct field *f, struct failure *why) {
+    double slack = (f->range[1] - f->range[0]) / 2 + 1e-9 * fmax(fabs(f->range[0]), fabs(f->range[1]));
+    for (size_t i = 0; i < f->n; i++) {
+        if (f->T[i] >= f->range[0] - slack && f->T[i] <= f->range[1] + slack) continue;
+        double x[DIM_MAX];
+        char place[PLACE_TEXT];
+        return refuse(why, STATUS_NUMERICAL,
+                      "the initial temperature of particle %zu at %s is %.4g K, the data are in [%.4g, %.4g] K; use "
+                      "another --sampling, --h or layout",
+                      i, problem_place(f->dim, field_place(f, i, x), place), f->T[i], f->range[0], f->range[1]);
+    }
+    return STATUS_OK;
+}
+
+/* Initial temperature of a particle off the lattice; on a Dirichlet wall the wall's temperature, which it keeps. */
+static double start_at(const struct problem *p, const struct options *o, const struct lattice *l, const double x[2]) {
+    double cell = layout_cell(o, l->dx[0]);
+    if (layout_is_cut(p, o)) {
+        int wall;
+        struct foot f = shape_nearest(p, x, &wall);
+        if (p->side[wall] == DIRICHLET && f.depth <= LAYOUT_ON_WALL * l->dx[0])
+            return p->wall(p, (enum side)wall, f.x, 0);
+    }
+    return (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, l->dx, x);
+}
+
+int start_averages_cells(const struct options *o, const struct scheme *s) {
+    return s->cells && o->sampling == SAMPLING_CELL;
+}
+
+int start_set(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+              int rows, struct heat_operator *a, struct field *f, struct failure *why) {
+    if (!rows) sample_lattice(p, o->sampling, l, f->T);
+    if (options_is_matched(o) && !rows) matched_source(p, o, a, f->T);
+    for (size_t i = 0; i < f->n && rows && !start_averages_cells(o, s); i++) {
+        double x[DIM_MAX];
+        f->T[i] = start_at(p, o, l, field_place(f, i, x));
+    }
+    find_range(f, f->range);
+    if (start_is_kept(p, o, s) && keep_heat(p, o, s, f, why)) return why->status;
+    return check_start(f, why);
 }

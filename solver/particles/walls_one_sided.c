@@ -27,6 +27,9 @@
  * do: second order, also in the maximum norm.  The fit requires fifteen particles, as there. */
 #include "solver/particles/walls.h"
 
+#include "solver/particles/ssph.h"
+#include "solver/shape.h"
+#include "solver/space/assembly.h"
 #include "solver/space/kernel.h"
 
 #include <math.h>
@@ -60,11 +63,11 @@ static double equation(const struct problem *p, int s, const struct foot *f, con
     double value = p->wall(p, (enum side)s, f->x, 0), k = p->material[0].k[walls_axis(f->normal)];
     int terms = monomials(p->dim, d, P);
     if (p->side[s] == DIRICHLET) return value;
-    double ratio = p->side[s] == ROBIN ? p->robin[s] * h / k : 0, size = 1 / (1 + ratio);
+    double ratio = problem_transfer(p, s) * h / k, size = 1 / (1 + ratio);
     for (int t = 0; t < terms; t++) P[t] *= ratio;
     add_slopes(p->dim, d, f->normal, P);
     for (int t = 0; t < terms; t++) P[t] *= size;
-    return size * (p->side[s] == ROBIN ? ratio * value : value * h / k);
+    return size * (problem_law(p, s)->is_flux ? value * h / k : ratio * value);
 }
 
 struct equations { /* equations of the neighbours, the particle itself, and the walls */
@@ -75,7 +78,8 @@ struct equations { /* equations of the neighbours, the particle itself, and the 
 };
 
 /* Collects the equations within 2 h of the particle; returns the number for particles. */
-static size_t take_equations(const struct problem *p, const struct neighbourhood *nb, double h, struct equations *e) {
+static size_t collect_equations(const struct problem *p, const struct neighbourhood *nb, double h,
+                                struct equations *e) {
     size_t n = 0, particles;
     e->nb =
         (struct neighbourhood){.dim = nb->dim, .i = nb->i, .x = {nb->x[0], nb->x[1], nb->x[2]}, .d = e->d, .h = h};
@@ -112,7 +116,7 @@ int walls_one_sided(const struct problem *p, const struct options *o, const stru
         double h = grown * nb->h, target[FIT_TERMS_MAX] = {sigma}, second = 1 / (h * h);
         int terms = (nb->dim + 1) * (nb->dim + 2) / 2;
         for (int a = 0; a < nb->dim; a++) target[1 + ssph_second(nb->dim, a)] = nb->kappa[a] * second;
-        particles = take_equations(p, nb, h, e);
+        particles = collect_equations(p, nb, h, e);
         if (particles < least)
             refuse(why, STATUS_NUMERICAL,
                    "particle %zu at %s, beside a wall, has %zu particles within %.3g m, at least %zu are "

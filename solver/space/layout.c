@@ -78,15 +78,16 @@ static int refuse_spacing(const struct problem *p, const struct options *o, stru
                   near[1]);
 }
 
-double layout_robin_factor(const struct problem *p, int side, double k, double d) {
-    double ratio = p->side[side] == ROBIN ? p->robin[side] * d / k : 0;
+double layout_image_factor(const struct problem *p, int side, double k, double d) {
+    double ratio = problem_transfer(p, side) * d / k;
+    if (p->side[side] == DIRICHLET) return -1;
     return ratio > 1 ? (1 / ratio - 1) / (1 / ratio + 1) : (1 - ratio) / (1 + ratio);
 }
 
-/* Response of ghost k = 1, 2, ... beyond a Robin side to a constant temperature. */
-static double robin_sum(double robin, int k) {
-    double sum = robin;
-    for (int i = 1; i < k; i++) sum = robin * (sum + 1) - 1;
+/* Response of ghost k = 1, 2, ... to a constant temperature by the recurrence of struct lattice. */
+static double recurrence_sum(double factor, int k) {
+    double sum = factor;
+    for (int i = 1; i < k; i++) sum = factor * (sum + 1) - 1;
     return sum;
 }
 
@@ -120,8 +121,11 @@ int layout_lattice(const struct problem *p, const struct options *o, struct latt
             int dirichlet = p->side[s] == DIRICHLET;
             double foot = s == X_HI ? p->hi[0] : p->lo[0];
             l->shift[s] = !node ? 0 : dirichlet ? -1 : 1;
-            l->sign[s] = p->side[s] == ROBIN ? LAYOUT_ROBIN : !dirichlet ? 1 : o->walls == WALLS_FIXED ? 0 : -1;
-            l->robin[s] = layout_robin_factor(p, s, p->material[layout_material(p, foot)].k[a], l->dx[a] / 2);
+            l->sign[s] = problem_law(p, s)->exchange ? LAYOUT_RECURRENCE
+                         : !dirichlet                ? 1
+                         : o->walls == WALLS_FIXED   ? 0
+                                                     : -1;
+            l->factor[s] = layout_image_factor(p, s, p->material[layout_material(p, foot)].k[a], l->dx[a] / 2);
         }
     }
     if (particles > PARTICLES_MAX)
@@ -229,9 +233,9 @@ static double reflect(const struct problem *p, enum walls walls, int side, const
     if (p->side[side] == PERIODIC) return 0;
     double value = p->wall(p, (enum side)side, foot, 0), d = fabs(ghost - foot[axis]);
     double k = p->material[layout_material(p, foot[0])].k[axis];
-    if (p->side[side] == ROBIN) {
+    if (problem_law(p, side)->exchange) {
         int layer = l ? (int)round(d / l->dx[axis] + 0.5) : 0;
-        *sign = l ? robin_sum(l->robin[side], layer) : layout_robin_factor(p, side, k, d);
+        *sign = l ? recurrence_sum(l->factor[side], layer) : layout_image_factor(p, side, k, d);
         return (1 - *sign) * value;
     }
     if (p->side[side] == NEUMANN) {

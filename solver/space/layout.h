@@ -3,8 +3,6 @@
 #define HEATLADDER_SOLVER_SPACE_LAYOUT_H
 
 #include "solver/method.h"
-
-#include <gsl/gsl_rng.h>
 #include "solver/problem.h"
 
 #include <stdint.h>
@@ -17,13 +15,13 @@ struct lattice {
     double dx[DIM_MAX];    /* m; 1 past dim */
     double first[DIM_MAX]; /* m, position of unknown 0 */
     /* Ghosts k = 1, 2, ... beyond side s: */
-    int shift[SIDES];    /* ghost k mirrors unknown k - 1 + shift[s], counted from that side; a negative index is the
-                            wall itself */
-    int sign[SIDES];     /* -1: odd; 1: even; 0: ghosts have the wall's value; LAYOUT_ROBIN: see `robin` */
-    double robin[SIDES]; /* T_-1 = robin T_0 and T_-k-1 = robin (T_-k + T_k) - T_k-1, plus offsets */
+    int shift[SIDES];     /* ghost k mirrors unknown k - 1 + shift[s], counted from that side; a negative index is the
+                             wall itself */
+    int sign[SIDES];      /* -1: odd; 1: even; 0: ghosts have the wall's value; LAYOUT_RECURRENCE: see `factor` */
+    double factor[SIDES]; /* T_-1 = factor T_0 and T_-k-1 = factor (T_-k + T_k) - T_k-1, plus offsets */
 };
 
-enum { LAYOUT_ROBIN = 2 };
+enum { LAYOUT_RECURRENCE = 2 };
 
 /* m: the spacing that the options ask for along an axis: dx, for the matched run times sqrt(k_a / k_x). */
 double layout_spacing(const struct problem *p, const struct options *o, int axis);
@@ -54,9 +52,9 @@ double layout_rho_c(const struct problem *p, double width, double x);
 /* m: cell width of the particles on a lattice; 0 on clouds, in which each particle has one material. */
 double layout_cell(const struct options *o, double spacing);
 
-/* (k - b d)/(k + b d) without overflow for large b: factor of the source in a ghost at the distance d (m) beyond a
- * Robin side; 1 for other sides. */
-double layout_robin_factor(const struct problem *p, int side, double k, double d);
+/* Factor of the source in its mirror image at the distance d (m) beyond a wall: -1 for a given temperature, 1 for a
+ * given flux, (k - b d)/(k + b d) for an exchange b (T_a - T), without overflow for large b. */
+double layout_image_factor(const struct problem *p, int side, double k, double d);
 
 /* Offset of the ghost at `ghost`, K, with T_ghost = sign T_source + offset, for the source at `source` (m). side[a]
  * is the side beyond which it is along axis a, or -1.  At edges and corners the result is the mean over all orders of
@@ -103,34 +101,9 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
                  struct cloud *c, struct failure *why);
 void layout_cloud_free(struct cloud *c);
 
-/* Calls visit for all indices from <= at < to, block by block of the given sides; x is fastest among blocks and in
- * each. */
-void layout_in_blocks(const int from[DIM_MAX], const int to[DIM_MAX], const int side[DIM_MAX],
-                      void (*visit)(void *context, const int at[DIM_MAX]), void *context);
-
-/* Displacements of the points with from <= index < to, in widths of the jitter, -1/2 to 1/2. */
-struct layout_moves {
-    int dim, from[DIM_MAX], to[DIM_MAX]; /* 0 and 1 past dim */
-    double *move;                        /* dim for each point */
-};
-/* Fills m->move for m->from and m->to.  Where a core is given, its displacements depend on nothing but the core and
- * the random numbers. */
-void layout_moves_draw(struct layout_moves *m, const int core_from[DIM_MAX], const int core_to[DIM_MAX],
-                       gsl_rng *random);
-const double *layout_moves_at(const struct layout_moves *m, const int at[DIM_MAX]);
-void layout_moves_free(struct layout_moves *m);
-
 /* 1 if walls cut the lattice at any position: its particles are then the lattice points inside the body. */
 #define LAYOUT_ON_WALL 1e-6 /* dx: a point closer to a wall is on it */
 int layout_is_cut(const struct problem *p, const struct options *o);
-/* The particles of such a lattice.  The lattice points within `reach` (m) beyond the walls become dummies without
- * values.  Returns STATUS_INPUT if no point is inside. */
-int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
-               struct cloud *c, struct failure *why);
-/* Appends the images of particle i beyond plane walls, up to three (seven in space), to the cloud, whose arrays have
- * room for them. */
-void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
-                   struct cloud *c);
 
 /* The offset of the image j >= c->n beyond plane walls, K. */
 double layout_image_offset(const struct problem *p, const struct options *o, const struct cloud *c, size_t j);

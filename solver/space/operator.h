@@ -130,12 +130,9 @@ static inline int operator_images(int i, int j, int k) {
 /* For a lattice of one material. */
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why);
-/* g (one state) at the time t, s. */
+/* g (one state) of that operator at the time t, s. */
 void operator_constants(const struct heat_operator *a, const struct problem *p, const struct options *o, double t,
                         double *g);
-/* For particles at any positions; spacing (m) is the unit of the option h. */
-int operator_create_csr(struct heat_operator *a, const struct problem *p, const struct options *o,
-                        const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
 void operator_free(struct heat_operator *a);
 
 /* The weights of a scheme: w[0], or for two sweeps w[a], a < dim; nb->n values each. */
@@ -152,9 +149,8 @@ int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                      const double *kappa, int reach[DIM_MAX], double **weight, struct failure *why);
 
-struct row;
-/* Replaces *r by row i of an operator off the lattice. */
-void operator_row_take(const struct heat_operator *a, size_t i, struct row *r);
+/* A (n x n, row by row) of an operator with rows (assembly.h). */
+void operator_dense(const struct heat_operator *a, double *A);
 
 /* Upper bound of |lambda| over the spectrum of A, s^-1 (Gershgorin). */
 double operator_bound(const struct heat_operator *a);

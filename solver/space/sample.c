@@ -43,8 +43,8 @@ static double reflected(const struct problem *p, enum side s, const double *x) {
     foot[a] = wall;
     double value = p->wall(p, s, foot, 0);
     if (p->side[s] == DIRICHLET) return 2 * value - inside;
-    if (p->side[s] == ROBIN) {
-        double ratio = p->robin[s] * beyond / p->material[layout_material(p, foot[0])].k[a];
+    if (problem_law(p, (int)s)->exchange) {
+        double ratio = problem_transfer(p, (int)s) * beyond / p->material[layout_material(p, foot[0])].k[a];
         return inside + 2 / (1 + 1 / ratio) * (value - inside); /* also for a ratio of 0 or with overflow */
     }
     return inside + value * 2 * beyond / p->material[layout_material(p, foot[0])].k[a];

@@ -1,21 +1,217 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The Voronoi cells of a cloud, each by clipping (voronoi_cell.c).
+/* The Voronoi cells of a cloud.
  *
- * Candidates for neighbours come from square bins, ring by ring; the distance to the edge of the searched rings
- * bounds the complete region.  Plane walls need no cut: the mirror image of a particle cuts its cell there, and all
- * points closer to the image of another particle are beyond the wall.  A round wall is a circle that cuts cells
- * (voronoi_round.c), and the image of a particle, at the same distance behind the wall, represents the exterior.
+ * One cell, by clipping (Rycroft 2009, Chaos 19:041111): a square about the particle is cut by the bisectors of its
+ * neighbours, up to twice the distance of the farthest vertex; no bisector beyond reaches the cell.  A bisector that
+ * passes a vertex at less than TOUCH d does not cut, so that four particles on a circle (a lattice, or any pair and
+ * its images) leave no face of the size of round-off.
  *
- * Both particles of a pair find their common face and store the mean of the two, with the same bits.  Faces below
- * NOTHING spacings are omitted. */
+ * A round wall cuts each edge at its intersection with the circle; both particles of a pair find the same point, so
+ * their face is the same.  The area inside a circle is an integral along the polygon: for an edge inside, the
+ * triangle with the centre; for one outside, the sector of its angle.  The angles of the sectors sum to the part of
+ * the circle inside the cell.  The areas therefore sum to that of the body and the walls to its circles, to
+ * round-off, for any intersection.
+ *
+ * The mesh: candidates for neighbours come from square bins, ring by ring; the distance to the edge of the searched
+ * rings bounds the complete region.  Plane walls need no cut: the mirror image of a particle cuts its cell there, and
+ * all points closer to the image of another particle are beyond the wall.  The image of a particle in a round wall,
+ * at the same distance behind it, represents the exterior.  Both particles of a pair find their common face and store
+ * the mean of the two, with the same bits.  Faces below NOTHING spacings are omitted. */
 #include "solver/space/voronoi.h"
 
-#include "solver/space/assembly.h"
-#include "solver/space/voronoi_cell.h"
-#include "solver/space/voronoi_round.h"
+#include "solver/space/blocks.h"
+#include "solver/space/neighbours.h"
 
 #include <math.h>
 #include <stdlib.h>
+
+/* ---- One cell ---- */
+
+static const double TOUCH = 1e-13;
+
+static void start_square(struct voronoi_polygon *p, double half) {
+    static const double x[] = {-1, 1, 1, -1}, y[] = {-1, -1, 1, 1};
+    p->n = 4, p->farthest = 2 * half * half;
+    for (int k = 0; k < 4; k++) p->x[k] = half * x[k], p->y[k] = half * y[k], p->edge[k] = VORONOI_NONE;
+}
+
+int voronoi_cell_cut(struct voronoi_polygon *p, double a, double b, double c, double touch, uint32_t edge) {
+    double s[VORONOI_CORNERS + 1], most = -HUGE_VAL;
+    struct voronoi_polygon q;
+    for (int k = 0; k < p->n; k++) {
+        s[k] = a * p->x[k] + b * p->y[k] - c;
+        most = s[k] > most ? s[k] : most;
+    }
+    if (most <= touch) return 0;
+    s[p->n] = s[0];
+    q.n = 0, q.farthest = 0;
+    for (int k = 0; k < p->n; k++) {
+        int next = k + 1 < p->n ? k + 1 : 0;
+        if (q.n + 2 > VORONOI_CORNERS) return -1;
+        if (s[k] <= 0) q.x[q.n] = p->x[k], q.y[q.n] = p->y[k], q.edge[q.n++] = p->edge[k];
+        if ((s[k] <= 0) == (s[k + 1] <= 0)) continue;
+        double t = s[k] / (s[k] - s[k + 1]);
+        q.x[q.n] = p->x[k] + t * (p->x[next] - p->x[k]), q.y[q.n] = p->y[k] + t * (p->y[next] - p->y[k]);
+        q.edge[q.n++] = s[k] <= 0 ? edge : p->edge[k];
+    }
+    p->n = q.n, p->farthest = 0;
+    for (int k = 0; k < q.n; k++) {
+        double r2 = q.x[k] * q.x[k] + q.y[k] * q.y[k];
+        p->x[k] = q.x[k], p->y[k] = q.y[k], p->edge[k] = q.edge[k];
+        p->farthest = r2 > p->farthest ? r2 : p->farthest;
+    }
+    return 0;
+}
+
+double voronoi_cell_area(const struct voronoi_polygon *p) {
+    double twice = 0;
+    for (int k = 0; k < p->n; k++) {
+        int next = k + 1 < p->n ? k + 1 : 0;
+        twice += p->x[k] * p->y[next] - p->x[next] * p->y[k];
+    }
+    return twice / 2;
+}
+
+int voronoi_cell_closes(const struct voronoi_polygon *p) {
+    for (int k = 0; k < p->n; k++)
+        if (p->edge[k] == VORONOI_NONE) return 0;
+    return p->n > 2;
+}
+
+void voronoi_cell_offer(struct voronoi_candidates *c, const double d[2], uint32_t point) {
+    if (c->n == c->room) {
+        c->room = c->room ? 2 * c->room : 256;
+        c->at = xcheck(realloc(c->at, c->room * sizeof *c->at), c->room, sizeof *c->at);
+    }
+    c->at[c->n++] = (struct voronoi_candidate){{d[0], d[1]}, d[0] * d[0] + d[1] * d[1], point};
+}
+
+/* Moves the `near` nearest points to the front, in ascending order. */
+static void sort_nearest(struct voronoi_candidates *c, size_t near) {
+    for (size_t k = 0; k < near && k < c->n; k++) {
+        size_t least = k;
+        for (size_t j = k + 1; j < c->n; j++)
+            if (c->at[j].r2 < c->at[least].r2) least = j;
+        struct voronoi_candidate held = c->at[k];
+        c->at[k] = c->at[least], c->at[least] = held;
+    }
+}
+
+enum { SORTED = 6 };
+
+/* Cuts a square of half width `half` by all bisectors; the first ones cut most. */
+static int cut_all(struct voronoi_candidates *c, double half, struct voronoi_polygon *cell) {
+    sort_nearest(c, SORTED);
+    start_square(cell, half);
+    for (size_t k = 0; k < c->n; k++) {
+        const struct voronoi_candidate *j = &c->at[k];
+        if (!(j->r2 > 0)) return -1;
+        if (j->r2 >= 4 * cell->farthest) continue;
+        if (voronoi_cell_cut(cell, j->d[0], j->d[1], j->r2 / 2, TOUCH * j->r2, j->point)) return -1;
+    }
+    return 0;
+}
+
+/* On a rod: the nearest point on either side, as a polygon of height 1. */
+static int cut_rod(const struct voronoi_candidates *c, struct voronoi_polygon *cell) {
+    double side[2] = {-HUGE_VAL, HUGE_VAL};
+    uint32_t point[2] = {VORONOI_NONE, VORONOI_NONE};
+    for (size_t k = 0; k < c->n; k++) {
+        double x = c->at[k].d[0];
+        int s = x > 0;
+        if (!(c->at[k].r2 > 0)) return -1;
+        if (fabs(x) < fabs(side[s])) side[s] = x, point[s] = c->at[k].point;
+    }
+    double lo = side[0] / 2, hi = side[1] / 2;
+    *cell = (struct voronoi_polygon){
+        4, {lo, hi, hi, lo}, {-0.5, -0.5, 0.5, 0.5}, {VORONOI_NONE, point[1], VORONOI_NONE, point[0]}, 0};
+    cell->farthest = fmax(lo * lo, hi * hi);
+    return 0;
+}
+
+int voronoi_cell_make(int dim, struct voronoi_candidates *c, double half, struct voronoi_polygon *cell) {
+    return dim == 1 ? cut_rod(c, cell) : cut_all(c, half, cell);
+}
+
+int voronoi_cell(int dim, size_t n, double (*d)[2], double *face, double *volume) {
+    struct voronoi_candidates c = {0};
+    struct voronoi_polygon cell; /* no corners if there is no cell */
+    cell.n = 0;
+    double farthest = 0; /* m^2 */
+    for (size_t j = 0; j < n; j++) {
+        voronoi_cell_offer(&c, d[j], (uint32_t)j);
+        farthest = fmax(farthest, c.at[j].r2);
+        face[j] = 0;
+    }
+    int status = n ? voronoi_cell_make(dim, &c, sqrt(farthest), &cell) : -1;
+    for (int k = 0; k < cell.n && !status; k++) {
+        int next = k + 1 < cell.n ? k + 1 : 0;
+        if (cell.edge[k] == VORONOI_NONE)
+            status = dim == 2 ? -1 : 0;
+        else
+            face[cell.edge[k]] = hypot(cell.x[next] - cell.x[k], cell.y[next] - cell.y[k]);
+    }
+    if (dim == 1 && !status) status = isfinite(cell.farthest) ? 0 : -1;
+    *volume = status ? 0 : voronoi_cell_area(&cell);
+    free(c.at);
+    return status;
+}
+
+/* ---- A cell cut by a round wall ---- */
+
+static double cross(const double a[2], const double b[2]) {
+    return a[0] * b[1] - a[1] * b[0];
+}
+
+static double angle(const double a[2], const double b[2]) {
+    return atan2(cross(a, b), a[0] * b[0] + a[1] * b[1]);
+}
+
+/* The part t[0] to t[1] of the edge from a to b inside the circle; t[0] = t[1] if there is none. */
+static void within(const double a[2], const double b[2], double R, double t[2]) {
+    double e[2] = {b[0] - a[0], b[1] - a[1]}, square = e[0] * e[0] + e[1] * e[1],
+           middle = -(a[0] * e[0] + a[1] * e[1]);
+    double half = middle * middle + square * (R * R - a[0] * a[0] - a[1] * a[1]);
+    t[0] = t[1] = 0;
+    if (!(half > 0)) return;
+    t[0] = fmin(fmax((middle - sqrt(half)) / square, 0), 1);
+    t[1] = fmin(fmax((middle + sqrt(half)) / square, 0), 1);
+}
+
+/* Adds the contribution of the edge from a to b to area and angle of the circle of radius R; returns the length
+ * inside. */
+static double add_edge(const double a[2], const double b[2], double R, double t[2], double *area, double *arc) {
+    double end[2][2], length = hypot(b[0] - a[0], b[1] - a[1]);
+    within(a, b, R, t);
+    for (int s = 0; s < 2; s++)
+        for (int k = 0; k < 2; k++) end[s][k] = a[k] + t[s] * (b[k] - a[k]);
+    double outside = (t[0] > 0 ? angle(a, end[0]) : 0) + (t[1] < 1 ? angle(end[1], b) : 0);
+    *area += (cross(end[0], end[1]) + R * R * outside) / 2;
+    *arc += outside;
+    return length * (t[1] - t[0]);
+}
+
+struct voronoi_round voronoi_round(const struct voronoi_polygon *cell, const double at[2], const double radius[2]) {
+    struct voronoi_round r = {.area = 0};
+    double area[2] = {0, 0}, arc[2] = {0, 0}, t[2];
+    for (int k = 0; k < cell->n; k++) {
+        int next = k + 1 < cell->n ? k + 1 : 0;
+        const double a[2] = {at[0] + cell->x[k], at[1] + cell->y[k]};
+        const double b[2] = {at[0] + cell->x[next], at[1] + cell->y[next]};
+        double hole = radius[0] > 0 ? add_edge(a, b, radius[0], t, &area[0], &arc[0]) : 0;
+        r.face[k] = add_edge(a, b, radius[1], t, &area[1], &arc[1]) - hole;
+        if (!(r.face[k] > 0)) continue;
+        for (int s = 0; s < 2; s++) {
+            double x = cell->x[k] + t[s] * (b[0] - a[0]), y = cell->y[k] + t[s] * (b[1] - a[1]);
+            r.farthest = fmax(r.farthest, x * x + y * y);
+        }
+    }
+    r.area = area[1] - area[0];
+    for (int s = 0; s < 2; s++) r.wall[s] = arc[s] * radius[s];
+    return r;
+}
+
+/* ---- The mesh ---- */
 
 static const double NOTHING = 1e-10;
 
@@ -129,16 +325,16 @@ static int find_cell(const struct mesh *m, size_t i, struct voronoi_candidates *
 }
 
 static void add_faces(const struct mesh *m, size_t i, const struct voronoi_polygon *cell,
-                      const struct voronoi_round *inside, struct assembly_list *out) {
+                      const struct voronoi_round *inside, struct blocks_list *out) {
     for (int k = 0; k < cell->n; k++) {
         int next = k + 1 < cell->n ? k + 1 : 0;
         double x = cell->x[next] - cell->x[k], y = cell->y[next] - cell->y[k];
         double face = m->p->shape ? inside->face[k] : sqrt(x * x + y * y);
-        if (cell->edge[k] != VORONOI_NONE) assembly_list_add(out, cell->edge[k], face);
+        if (cell->edge[k] != VORONOI_NONE) blocks_list_add(out, cell->edge[k], face);
     }
     for (int s = 0; s < 2 && m->p->shape; s++)
         if (inside->wall[s] > NOTHING * m->spacing)
-            assembly_list_add(out, m->image[2 * i + (size_t)s], inside->wall[s]);
+            blocks_list_add(out, m->image[2 * i + (size_t)s], inside->wall[s]);
 }
 
 static double part_beyond(const struct mesh *m, size_t i, const struct voronoi_polygon *cell) {
@@ -152,11 +348,11 @@ static double part_beyond(const struct mesh *m, size_t i, const struct voronoi_p
 struct work { /* cells, or averages of the initial data over them */
     const struct mesh *m;
     struct voronoi *v;
-    struct assembly_list part[ASSEMBLY_BLOCKS];
+    struct blocks_list part[BLOCKS];
     double *T; /* K */
 };
 
-static int take_cells(void *context, int b, size_t begin, size_t end, struct failure *why) {
+static int find_cells(void *context, int b, size_t begin, size_t end, struct failure *why) {
     struct work *w = context;
     struct voronoi *v = w->v;
     struct voronoi_candidates c = {0};
@@ -254,7 +450,7 @@ static void integrate_parts(const struct problem *p, const struct mesh *m, size_
     }
 }
 
-static int take_means(void *context, int b, size_t begin, size_t end, struct failure *why) {
+static int find_means(void *context, int b, size_t begin, size_t end, struct failure *why) {
     struct work *w = context;
     struct voronoi_candidates c = {0};
     struct voronoi_polygon cell;
@@ -273,7 +469,7 @@ static int take_means(void *context, int b, size_t begin, size_t end, struct fai
 int voronoi_average(const struct problem *p, const struct cloud *c, int threads, double *T, struct failure *why) {
     struct mesh m;
     mesh_create(&m, p, c);
-    int status = assembly_in_blocks(c->n, threads, take_means, &(struct work){.m = &m, .T = T}, why);
+    int status = blocks_run(c->n, threads, find_means, &(struct work){.m = &m, .T = T}, why);
     mesh_free(&m);
     return status;
 }
@@ -287,17 +483,17 @@ int voronoi_create(struct voronoi *v, const struct problem *p, const struct clou
     v->beyond = p->materials == 2 ? xcalloc(c->n, sizeof *v->beyond) : NULL;
     mesh_create(&m, p, c);
     struct work all = {.m = &m, .v = v};
-    int status = assembly_in_blocks(c->n, threads, take_cells, &all, why);
+    int status = blocks_run(c->n, threads, find_cells, &all, why);
     mesh_free(&m);
     if (!status) {
-        size_t faces = assembly_list_join(all.part, v->n, v->begin, &v->point, &v->face);
+        size_t faces = blocks_list_join(all.part, v->n, v->begin, &v->point, &v->face);
         v->bytes = faces * (sizeof *v->point + sizeof *v->face) + (v->n + 1) * sizeof *v->begin +
                    v->n * sizeof(double) * (v->beyond ? 2 : 1);
         agree(v, c, m.spacing, threads > 1 ? threads : 1);
     } else {
         voronoi_free(v);
     }
-    assembly_list_free(all.part);
+    blocks_list_free(all.part);
     return status;
 }
 

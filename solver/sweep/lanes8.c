@@ -7,4 +7,3 @@
 #define SWEEP_BANDS sweep_bands_8
 #define SWEEP_PLANES sweep_planes_8
 #include "solver/sweep/lanes.inc"
-#include "solver/sweep/lanes_box.inc"

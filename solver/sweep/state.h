@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_SOLVER_SWEEP_STATE_H
 #define HEATLADDER_SOLVER_SWEEP_STATE_H
 
-#include "solver/space/operator.h"
+#include "solver/sweep/sweep.h"
 
 /* The temperatures as an operator stores them: `state` doubles, rows of particles with their ghosts. */
 
@@ -11,12 +11,6 @@ void state_load(const struct heat_operator *a, const double *T, double *state);
 void state_store(const struct heat_operator *a, const double *state, double *T);
 /* The first particle outside [lo, hi] (a NaN is outside), or n. */
 size_t state_find_outside(const struct heat_operator *a, const double *state, double lo, double hi);
-
-/* y = rate (A x + g) + self x + old y + start Y0; all are states, and Y0 may be NULL. */
-struct update {
-    double rate, self, old, start;
-    const double *Y0;
-};
 
 /* Applies the updates u[0] .. u[count - 1] in order: the first from x = Y[0] to y = Y[1], the next from Y[1] to
  * Y[0], and so on, refreshing the ghosts.  If count is odd, Y[0] and Y[1] are exchanged, so that Y[0] is the latest

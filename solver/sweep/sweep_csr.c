@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Updates off the lattice, y = rate (A x + g) + self x + old y + start Y0, with A in compressed sparse rows, or
  * banded on a rod. */
-#include "solver/sweep/flush.h"
 #include "solver/sweep/sweep.h"
 #include "solver/sweep/wavefront.h"
 

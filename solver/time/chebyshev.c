@@ -12,6 +12,8 @@
  * degree of about sqrt(75 h).  A single step for the whole run thus needs the square root of the number of updates
  * of explicit steps, and has no time error.
  *
+ * Data that change in time are of degree 4 within a step, which gives order 5: there is no other time error.
+ *
  * Clenshaw's recurrence (1955, Math. Tables Aids Comput. 9, 118) evaluates the sum: b_k = c_k T + 2 X b_(k+1) -
  * b_(k+2).  Here b_k is divided by s_k = c_k + 2 s_(k+1) - s_(k+2).  The coefficients of every update then sum to 1,
  * wall values and sources of dT/dt = L(T) = A T + g enter as in an Euler step, and every state stays in the range of

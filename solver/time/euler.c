@@ -7,6 +7,11 @@ static void updates(double dt, double bound, int stages, struct update *u) {
     u[0] = (struct update){.rate = dt, .self = 1};
 }
 
+static struct stage stage(int s, int j) {
+    (void)s, (void)j;
+    return (struct stage){.rate = 1};
+}
+
 static double complex amplification(int stages, double complex z) {
     (void)stages;
     return 1 + z;
@@ -23,5 +28,6 @@ const struct stepper stepper_euler = {.name = "euler",
                                       .arrays = 2,
                                       .stages = 1,
                                       .updates = updates,
+                                      .stage = stage,
                                       .amplification = amplification,
                                       .interval = interval};

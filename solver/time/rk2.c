@@ -8,6 +8,11 @@ static void updates(double dt, double bound, int stages, struct update *u) {
     u[1] = (struct update){.rate = dt, .old = 1};
 }
 
+static struct stage stage(int s, int j) {
+    (void)s;
+    return j == 1 ? (struct stage){.rate = 0.5} : (struct stage){.rate = 1, .time = 0.5};
+}
+
 static double complex amplification(int stages, double complex z) {
     (void)stages;
     return 1 + z + z * z / 2;
@@ -24,5 +29,6 @@ const struct stepper stepper_rk2 = {.name = "rk2",
                                     .arrays = 2,
                                     .stages = 2,
                                     .updates = updates,
+                                    .stage = stage,
                                     .amplification = amplification,
                                     .interval = interval};

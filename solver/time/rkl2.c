@@ -8,7 +8,20 @@
  *
  *     u_j = (2j - 1)/j (u_{j-1} + w dt L(u_{j-1})) - (j - 1)/j u_{j-2},   T becomes (1 - b_s) T + b_s u_s.
  *
- * Each stage uses two states instead of four.
+ * Each stage uses two states instead of four.  The time c of stage Y_j is the derivative of its polynomial at 0,
+ *
+ *     c = (j^2 + j - 2)/(s^2 + s - 2),   of Y_1: 4/(3 (s^2 + s - 2)),
+ *
+ * and u_j of a linear L has the time c/b_j: in terms of the u_j the method (eq. 17) adds g_0 + (g(c) - g_0)/b_j,
+ * which is g(c/b_j) for data linear in time.
+ *
+ * For an L that is not linear (`stage`), with b_0 = b_1 = b_2 = 1/3,
+ *
+ *     Y_1 = Y_0 + m_1 dt L_0,   Y_j = a_j Y_(j-1) + n_j Y_(j-2) + (1 - a_j - n_j) Y_0 + m_j dt (L_(j-1) - (1 -
+ * b_(j-1)) L_0), a_j = (2j - 1)/j b_j/b_(j-1),   n_j = -(j - 1)/j b_j/b_(j-2),   m_j = w a_j,   m_1 = w b_1.
+ *
+ * If L depends on time, t joins the unknowns with the rate 1, and a stage has the time above.  The conditions for
+ * order 2 are the same for linear and nonlinear L, so order 2 holds with data that change.
  *
  * RKL2 multiplies stiff modes by only 1 - b_s, one half, per step, so modes excited by a jump need twenty steps to
  * decay, however small the error of each step.  If the data have a jump, the first half of the first step is
@@ -59,6 +72,18 @@ static void updates(double dt, double bound, int s, struct update *u) {
     }
 }
 
+static double b_of(int j) {
+    return j < 2 ? 1. / 3 : ((double)j * j + j - 2) / (2 * j * (j + 1.0));
+}
+
+static struct stage stage(int s, int j) {
+    double all = (double)s * s + s - 2, w = 4 / all;
+    if (j == 1) return (struct stage){.rate = w * b_of(1)};
+    double a = (2.0 * j - 1) / j * b_of(j) / b_of(j - 1), n = -(j - 1.0) / j * b_of(j) / b_of(j - 2);
+    double time = j == 2 ? w * b_of(1) : ((j - 1.0) * (j - 1) + j - 3) / all;
+    return (struct stage){.newer = a, .older = n, .rate = w * a, .first = 1 - b_of(j - 1), .time = time};
+}
+
 static void damp(double dt, int s, struct update *u) {
     double w = 6 / ((double)s * (s + 5.0));
     for (int j = 1; j <= s; j++) {
@@ -99,6 +124,8 @@ const struct stepper stepper_rkl2 = {.name = "rkl2",
                                      .error = error,
                                      .length = length,
                                      .updates = updates,
+                                     .stage = stage,
+                                     .damped = 7,
                                      .first = first,
                                      .damp = damp,
                                      .amplification = amplification,

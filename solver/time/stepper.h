@@ -10,6 +10,13 @@
 /* Time stepping of dT/dt = L(T) = A T + g with the spectrum of A in [-bound, 0].  A stepper is a row of steppers.def
  * and a file with its struct stepper. */
 
+/* One stage of a step of dT/dt = L(T, t) that need not be linear:
+ *     Y_j = newer Y_(j-1) + older Y_(j-2) + (1 - newer - older) Y_0 + dt rate (L(Y_(j-1), t + time dt) - first L(Y_0,
+ * t)), Y_0 the state at t.  Of stage 1 `rate` alone is used: Y_1 = Y_0 + dt rate L(Y_0, t). */
+struct stage {
+    double newer, older, rate, first, time;
+};
+
 struct march {
     enum stepper_name stepper; /* a stepper with updates */
     double time;               /* s, length of the run */
@@ -17,8 +24,8 @@ struct march {
     double alternation; /* steps alternate between dt (1 + alternation) and dt (1 - alternation); must be 0 with 3
                            arrays */
     int stages;         /* updates per step if the stepper has no fixed number */
-    int start[2]; /* updates of a damping first step: of each of its two quarter steps, and of the half step that
-                     follows; 0: the first step is like all others */
+    int start[2]; /* a damping first step: updates of a quarter step, done twice, and of the half step after them; 0:
+                     the first step is like all others */
     const struct field *field; /* its positions are for messages; NULL if there are none */
     double lo, hi;             /* K, range of a stable run, see stepper_march */
     const struct problem
@@ -33,7 +40,8 @@ struct stepper {
     int order;                /* order in time; 0: no time step, or no time error */
     int arrays;               /* states: 2, or 3 if an update reads the state at the start of the step (start, Y0) */
     int stages;               /* updates per step; 0: returned by count */
-    int degree;               /* in time, of data that change within a step (changing.c); 0: 1 */
+    int degree;               /* degree of data that change within a step, as polynomials in time (stepper.c); 0: 1 */
+    int damped;               /* stages up to which eigenvalues off the real axis decay too; 0: no limit */
     double (*error)(int stages);           /* time error relative to that of many stages; NULL: 1 */
     int (*count)(double dt, double bound); /* smallest number of updates for which a step of dt (s) is stable */
     /* Step length, s, if the user asks for `asked` (0: none).  If NULL: `asked`, or half of the stable step,
@@ -41,7 +49,9 @@ struct stepper {
     double (*length)(double asked, double time, double bound);
     /* Fills u[0] to u[stages - 1] for a step of dt, except Y0, which is set if start is not 0. */
     void (*updates)(double dt, double bound, int stages, struct update *u);
-    /* For rough data: stages of a first step of dt as in struct march, and the updates of its quarters. */
+    /* Stage j = 1 .. s of a step of s stages for an L that is not linear; NULL: for linear L only. */
+    struct stage (*stage)(int s, int j);
+    /* For rough data: `start` of struct march for a first step of dt, and the updates of a quarter step. */
     void (*first)(double dt, double bound, int start[2]);
     void (*damp)(double dt, int stages, struct update *u);
     /* Amplification factor G(z) for dT/dt = lambda T, z = dt lambda, in closed form and independent of `updates`;
@@ -59,6 +69,11 @@ struct stepper {
 };
 
 const struct stepper *stepper_of(enum stepper_name name); /* NULL for STEPPER_AUTO */
+
+enum { STEPPER_LIST = 100 };
+/* "a, b or c", for messages: the steppers for data that change, or those for an L that is not linear; returns text.
+ */
+const char *stepper_list(int nonlinear, char text[STEPPER_LIST]);
 
 /* The stepper that STEPPER_AUTO stands for.  With a step given, and for finite differences: Euler's method.  Else the
  * one without time error, which needs one stencil for all particles; where it does not apply (transforms 0): the one

@@ -11,10 +11,10 @@
  * the life of the program, because planning a short line takes thirty times as long as its transform.  Results do not
  * depend on the cache.
  *
- * With a Robin wall (ghosts as in layout.h) the modes are, k = 0 .. n - 1,
+ * With a wall of factor f (struct lattice) the modes are, k = 0 .. n - 1,
  *
  *     phi_k(i) = cos(theta_k (i + 1/2) - psi_lo),   n theta_k = k pi + psi_lo + psi_hi,
- *     tan psi = (1 - f) / ((1 + f) tan(theta/2)) at a wall of factor f, since T_-1 = f T_0.
+ *     tan psi = (1 - f) / ((1 + f) tan(theta/2)) since T_-1 = f T_0.
  *
  * While theta_k grows by pi / n, the right side decreases from at most (k + 1) pi to at least k pi, so there is one
  * root for each k.  The modes are the eigenvectors of a symmetric matrix and therefore orthogonal: the n x n table
@@ -62,18 +62,18 @@ static const struct basis *basis_of(const struct lattice *l, int axis) {
     return &bases[l->shift[2 * axis] != 0][l->sign[2 * axis] > 0][l->sign[2 * axis + 1] > 0];
 }
 
-static int is_robin(const struct lattice *l, int axis) {
-    return l->sign[2 * axis] == LAYOUT_ROBIN || l->sign[2 * axis + 1] == LAYOUT_ROBIN;
+static int is_recurrent(const struct lattice *l, int axis) {
+    return l->sign[2 * axis] == LAYOUT_RECURRENCE || l->sign[2 * axis + 1] == LAYOUT_RECURRENCE;
 }
 
 /* psi of a side */
 static double phase(const struct lattice *l, int side, double theta) {
-    double f = l->sign[side] == LAYOUT_ROBIN ? l->robin[side] : l->sign[side];
+    double f = l->sign[side] == LAYOUT_RECURRENCE ? l->factor[side] : l->sign[side];
     return atan2(1 - f, (1 + f) * tan(theta / 2));
 }
 
 /* n theta_k - k pi, in [0, pi] */
-static double robin_shift(const struct lattice *l, int axis, int k) {
+static double recurrence_shift(const struct lattice *l, int axis, int k) {
     double lo = 0, hi = M_PI;
     for (int step = 0; step < 100 && hi - lo > DBL_EPSILON / 4 * hi; step++) {
         double shift = (lo + hi) / 2, theta = (M_PI * k + shift) / l->n[axis];
@@ -84,11 +84,12 @@ static double robin_shift(const struct lattice *l, int axis, int k) {
 
 /* Whole turns are removed from theta (i + 1/2) = (k pi + shift) (2 i + 1) / (2 n) in integer arithmetic; there may
  * be thousands. */
-static double *robin_modes(const struct lattice *l, int axis) {
+static double *recurrence_modes(const struct lattice *l, int axis) {
     size_t n = (size_t)l->n[axis];
     double *mode = xcalloc(n * n, sizeof *mode);
     for (size_t k = 0; k < n; k++) {
-        double shift = robin_shift(l, axis, (int)k), psi = phase(l, 2 * axis, (M_PI * (double)k + shift) / (double)n);
+        double shift = recurrence_shift(l, axis, (int)k),
+               psi = phase(l, 2 * axis, (M_PI * (double)k + shift) / (double)n);
         double sum = 0, unit = 0.5 / (double)n;
         for (size_t i = 0; i < n; i++) {
             double turned = M_PI * (double)(k * (2 * i + 1) % (4 * n)),
@@ -102,7 +103,7 @@ static double *robin_modes(const struct lattice *l, int axis) {
 }
 
 double transform_angle(const struct lattice *l, int axis, int k) {
-    if (is_robin(l, axis)) return (M_PI * k + robin_shift(l, axis, k)) / l->n[axis];
+    if (is_recurrent(l, axis)) return (M_PI * k + recurrence_shift(l, axis, k)) / l->n[axis];
     const struct basis *b = basis_of(l, axis);
     return M_PI * (k + b->first) / (l->n[axis] + b->more);
 }
@@ -110,7 +111,7 @@ double transform_angle(const struct lattice *l, int axis, int k) {
 double transform_scale(const struct lattice *l) {
     double scale = 1;
     for (int a = 0; a < l->dim; a++)
-        if (!is_robin(l, a)) scale *= 2.0 * (l->n[a] + basis_of(l, a)->more);
+        if (!is_recurrent(l, a)) scale *= 2.0 * (l->n[a] + basis_of(l, a)->more);
     return scale;
 }
 
@@ -146,8 +147,8 @@ void transform_forget(void) {
 
 static struct axis prepare(const struct lattice *l, int axis) {
     struct axis a = {.n = l->n[axis]};
-    if (is_robin(l, axis)) {
-        a.mode = robin_modes(l, axis);
+    if (is_recurrent(l, axis)) {
+        a.mode = recurrence_modes(l, axis);
         return a;
     }
 #pragma omp critical(fftw_planner)

@@ -5,9 +5,9 @@
 #include "solver/space/layout.h"
 
 /* The sine or cosine transform of a lattice with the parity of its mirror walls (sign -1 or +1) on each axis; along
- * an axis with a Robin wall, the transform to its modes. */
+ * an axis with a wall of another factor, the transform to its modes. */
 
-enum { TRANSFORM_ROBIN_MOST = 4096 }; /* unknowns along an axis with a Robin wall: its table is n x n */
+enum { TRANSFORM_TABLE_MOST = 4096 }; /* unknowns along such an axis: its table is n x n */
 
 struct transform;
 

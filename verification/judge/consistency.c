@@ -7,7 +7,7 @@
  * v = a v - b u, v = exp(a.x) cos(b.x + c). */
 #include "verification/judge/consistency.h"
 
-#include "solver/particles/compatibility.h"
+#include "solver/particles/particles.h"
 #include "verification/solve/experiment.h"
 
 #include <math.h>
@@ -65,7 +65,7 @@ int consistency_error(const struct experiment *e, double *error, struct failure 
     if (scheme->volume) nb.volume = scheme->volume(p, o, nb.h, nb.volume);
     nb.rho_c = p->material[0].rho_c;
     for (int a = 0; a < p->dim; a++) nb.kappa[a] = p->material[0].k[a] / p->material[0].rho_c;
-    if (compatibility_check(p, o, scheme, why) || operator_weights(scheme, p, o, &nb, w, why)) return why->status;
+    if (particles_check(p, o, scheme, why) || operator_weights(scheme, p, o, &nb, w, why)) return why->status;
     *error = 0;
     for (int i = 0; i < POINTS; i++) {
         double x[2] = {-1 + 0.137 * i, p->dim == 2 ? 0.9 - 0.119 * i : 0};

@@ -2,8 +2,8 @@
 /* Small model problems in memory: the response of a method to an impulse, to noise and to a smooth hill. */
 #include "verification/stability/model_problem.h"
 
+#include "solver/space/assembly.h"
 #include "solver/space/kernel.h"
-#include "solver/space/neighbours.h"
 #include "solver/particles/particles.h"
 #include "solver/time/stepper.h"
 
@@ -107,7 +107,7 @@ int model_problem_operator(const struct model_problem *b, const struct problem *
         return operator_create_lattice(a, p, &b->options, s, &l, why);
     }
     if (model_problem_cloud(b, p, &c, why)) return why->status;
-    int status = operator_create_csr(a, p, &b->options, s, &c, 1, why);
+    int status = assembly_operator(a, p, &b->options, s, &c, 1, why);
     layout_cloud_free(&c);
     return status;
 }

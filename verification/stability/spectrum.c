@@ -5,24 +5,10 @@
  * significant.  The bound below is 100 eps sqrt(n) radius. */
 #include "verification/stability/spectrum.h"
 
-#include "solver/space/csr.h"
-
 #include <float.h>
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stdlib.h>
-
-static gsl_matrix *dense(const struct heat_operator *a) {
-    gsl_matrix *m = gsl_matrix_calloc(a->n, a->n);
-    struct row r;
-    csr_row_create(&r, a->n);
-    for (size_t i = 0; i < a->n; i++) {
-        operator_row_take(a, i, &r);
-        for (size_t k = 0; k < r.n; k++) gsl_matrix_set(m, i, r.column[k], r.value[r.column[k]]);
-    }
-    csr_row_free(&r);
-    return m;
-}
 
 double spectrum_rounding(const struct spectrum *s) {
     return 100 * DBL_EPSILON * sqrt((double)s->n) * s->radius;
@@ -47,7 +33,8 @@ int spectrum_create(struct spectrum *s, const struct heat_operator *a, const str
     if (a->weight || a->n > SPECTRUM_MAX)
         return refuse(why, STATUS_INPUT, "%zu particles: all eigenvalues can be computed for at most %d, with rows",
                       a->n, SPECTRUM_MAX);
-    gsl_matrix *m = dense(a);
+    gsl_matrix *m = gsl_matrix_alloc(a->n, a->n); /* rows without padding */
+    operator_dense(a, m->data);
     s->lambda = xcalloc(a->n, sizeof *s->lambda); /* two doubles each, the layout of GSL (C11, 6.2.5) */
     gsl_vector_complex_view value = gsl_vector_complex_view_array((double *)s->lambda, a->n);
     gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(a->n);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Particles on box lattices: sweeps and ghosts against their definition, the same bits for any sharing. */
 
+#include "solver/sweep/state.h"
 #include "solver/sweep/sweep.h"
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
@@ -67,9 +68,9 @@ static double value_at(const struct heat_operator *a, const double *x, const int
         int high = place[d] >= l->n[d], side = 2 * d + high, k = high ? place[d] - l->n[d] + 1 : -place[d];
         if (k <= 0) continue;
         int at[DIM_MAX] = {place[0], place[1], place[2]}, out = high ? 1 : -1;
-        if (l->sign[side] == LAYOUT_ROBIN) {
-            at[d] -= out * (k > 1 ? 1 : 1);
-            double beside = value_at(a, x, at), f = l->robin[side];
+        if (l->sign[side] == LAYOUT_RECURRENCE) {
+            at[d] -= out;
+            double beside = value_at(a, x, at), f = l->factor[side];
             if (k == 1) return f * beside;
             at[d] = high ? l->n[d] - k : k - 1;
             double source = value_at(a, x, at);

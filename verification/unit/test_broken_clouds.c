@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Clouds that a method cannot work on: each gives a refusal that names the particle, its neighbours and the condition
  * number, or a measured, finite result; never NaN. */
+#include "solver/space/assembly.h"
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
 #include "solver/sweep/state.h"
 #include "verification/stability/model_problem.h"
@@ -54,7 +55,7 @@ static struct outcome try(const struct method *method, struct made *m, double h)
     struct model_problem b = {.method = method, .dim = 2, .n = SIDE, .options = {.dx = 1, .h = h}};
     struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     struct heat_operator a;
-    out.status = operator_create_csr(&a, &p, &b.options, method->scheme, &m->c, 1, &out.why);
+    out.status = assembly_operator(&a, &p, &b.options, method->scheme, &m->c, 1, &out.why);
     if (out.status) return out;
     double T[2][MOST] = {{0}}, *turn[2] = {T[0], T[1]}, dt = 1 / fmax(1, operator_bound(&a));
     T[0][0] = 1;

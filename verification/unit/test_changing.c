@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Walls that change in time: solutions that are polynomials are exact, and rkl2 is its published recurrence. */
 #include "solver/particles/particles.h"
-#include "solver/time/changing.h"
 
 #include "verification/unit/near.h"
 #include "verification/unit/odd_problems.h"

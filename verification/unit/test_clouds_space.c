@@ -2,6 +2,7 @@
 /* Clouds of a box and lattices in a ball: images at faces, edges and corners, neighbours, rows that keep quadratics
  * and heat, walls that cut the lattice, exchange of axes. */
 
+#include "solver/space/assembly.h"
 #include "solver/particles/particles.h"
 #include "solver/particles/walls.h"
 #include "solver/shape.h"
@@ -87,7 +88,7 @@ static void make(const struct problem *p, struct options *o, const char *method,
     int rows;
     const struct scheme *s = method_find(method)->scheme;
     if (particles_prepare(p, &given, s, o, &l, &rows, &why) || particles_cloud(p, o, s, &l, c, &why) ||
-        (a && operator_create_csr(a, p, o, s, c, l.dx[0], &why)))
+        (a && assembly_operator(a, p, o, s, c, l.dx[0], &why)))
         fail_msg("%s: %s", method, why.text);
 }
 

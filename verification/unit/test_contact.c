@@ -3,7 +3,7 @@
  * that jumps; an interface anywhere. */
 
 #include "solver/particles/start.h"
-#include "solver/space/csr.h"
+#include "solver/space/assembly.h"
 #include "solver/space/operator.h"
 #include "solver/particles/ssph.h"
 #include "verification/stability/spectrum.h"
@@ -173,7 +173,7 @@ static int grows(const struct cloud_case *c) {
     struct failure why = {0};
     for (int side = 0; side < 4; side++) p.side[side] = c->seed % 2 ? DIRICHLET : NEUMANN;
     if (layout_lattice(&p, &o, &l, &why) || layout_cloud(&p, &o, &l, 2 * c->h, &cloud, &why) ||
-        operator_create_csr(&a, &p, &o, method_contact_ssph.scheme, &cloud, 1, &why) ||
+        assembly_operator(&a, &p, &o, method_contact_ssph.scheme, &cloud, 1, &why) ||
         spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, &why))
         fail_msg("%s", why.text);
     int out = s.growth > spectrum_rounding(&s);
@@ -301,25 +301,22 @@ static void left_null_vector_conserves_heat(void **state) {
         struct lattice lattice;
         struct cloud c;
         struct heat_operator a;
-        struct row r;
         struct failure why;
         o.jitter = 0.3 * cloud, o.seed = 3;
         p.material[1].k[0] *= 0.1, p.side[X_LO] = p.side[X_HI] = NEUMANN;
         if (layout_lattice(&p, &o, &lattice, &why) || layout_cloud(&p, &o, &lattice, 2.2 * lattice.dx[0], &c, &why) ||
-            operator_create_csr(&a, &p, &o, method_contact_ssph.scheme, &c, lattice.dx[0], &why))
+            assembly_operator(&a, &p, &o, method_contact_ssph.scheme, &c, lattice.dx[0], &why))
             fail_msg("%s", why.text);
-        double *l = xcalloc(2 * a.n, sizeof *l), *sum = l + a.n, all = 0;
+        double *l = xcalloc(2 * a.n, sizeof *l), *sum = l + a.n, *A = xcalloc(a.n * a.n, sizeof *A), all = 0;
         assert_int_equal(start_kept(&a, 50, l, &why), STATUS_OK);
-        csr_row_create(&r, a.n);
+        operator_dense(&a, A);
         for (size_t i = 0; i < a.n; i++) {
-            operator_row_take(&a, i, &r);
-            for (size_t j = 0; j < a.n; j++) sum[j] += l[i] * r.value[j];
+            for (size_t j = 0; j < a.n; j++) sum[j] += l[i] * A[i * a.n + j];
             all += l[i];
         }
         for (size_t j = 0; j < a.n; j++) assert_near(sum[j], 0, 1e-11 * operator_bound(&a) * all / (double)a.n);
         assert_near(all, 50, 1e-10);
-        csr_row_free(&r);
-        free(l);
+        free(l), free(A);
         operator_free(&a);
         layout_cloud_free(&c);
     }

@@ -95,7 +95,8 @@ static void robin_angles_solve_their_equation(void **state) {
     (void)state;
     enum { N = 11 };
     for (int power = 3; power <= 50; power += 47 / 3) {
-        struct lattice l = {.dim = 1, .n = {N, 1, 1}, .sign = {1, LAYOUT_ROBIN}, .robin = {0, 1 - ldexp(1, -power)}};
+        struct lattice l = {
+            .dim = 1, .n = {N, 1, 1}, .sign = {1, LAYOUT_RECURRENCE}, .factor = {0, 1 - ldexp(1, -power)}};
         double b = ldexp(1, -power) / (2 - ldexp(1, -power));
         double slowest = transform_angle(&l, 0, 0);
         assert_near(tan(N * slowest) * tan(slowest / 2) / b, 1, 16 * DBL_EPSILON);

@@ -2,8 +2,8 @@
 /* The discrete Laplacians on neighbourhoods without symmetry: exactness, conservation, optimality of positive
  * stencils, factors of Brookshaw's weight, refusals. */
 
-#include "solver/particles/compatibility.h"
-#include "solver/space/csr.h"
+#include "solver/particles/particles.h"
+#include "solver/space/assembly.h"
 #include "solver/space/kernel.h"
 #include "solver/method.h"
 #include "solver/space/operator.h"
@@ -127,16 +127,12 @@ static double lost(const char *name, double jitter) {
     const struct scheme *s = named(name)->scheme;
     assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&p, &o, &l, s->sweeps * 2 * o.h * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(operator_create_csr(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
+    assert_int_equal(assembly_operator(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
     double *sum = xcalloc(a.n, sizeof *sum), most = 0, size = 0;
-    struct row r;
-    csr_row_create(&r, a.n);
     for (size_t i = 0; i < a.n; i++) {
-        operator_row_take(&a, i, &r);
-        size = fmax(size, fabs(r.value[i]));
-        for (size_t k = 0; k < r.n; k++) sum[r.column[k]] += r.value[r.column[k]];
+        size = fmax(size, fabs(a.diagonal[i])), sum[i] += a.diagonal[i];
+        for (size_t k = a.row[i]; k < a.row[i + 1]; k++) sum[a.column[k]] += a.value[k];
     }
-    csr_row_free(&r);
     for (size_t i = 0; i < a.n; i++) most = fmax(most, fabs(sum[i]));
     free(sum);
     operator_free(&a);
@@ -218,8 +214,8 @@ static void pair_operators_refuse_anisotropy(void **state) {
     struct options o = {.kernel = KERNEL_CUBIC};
     struct failure why;
     for (int m = 0; m < 4; m++)
-        assert_int_equal(compatibility_check(&p, &o, named(pairs[m])->scheme, &why), STATUS_NOT_APPLICABLE);
-    for (int m = 0; m < 5; m++) assert_int_equal(compatibility_check(&p, &o, named(others[m])->scheme, &why), 0);
+        assert_int_equal(particles_check(&p, &o, named(pairs[m])->scheme, &why), STATUS_NOT_APPLICABLE);
+    for (int m = 0; m < 5; m++) assert_int_equal(particles_check(&p, &o, named(others[m])->scheme, &why), 0);
 }
 
 /* ---- positive stencils ---- */

@@ -2,7 +2,7 @@
 /* Conductivity that depends on temperature: laws, means, walls, time steps and refusals. */
 #include "references/kirchhoff.h"
 #include "solver/method.h"
-#include "solver/particles/conduction.h"
+#include "solver/particles/nonlinear.h"
 #include "solver/time/stepper.h"
 #include "verification/solve/experiment.h"
 #include "verification/judge/run.h"
@@ -38,10 +38,10 @@ static void theta_is_the_integral_and_has_an_inverse(void **state) {
                            {.k_law = K_POWER, .k_0 = 0.013, .k_n = 2.385, .k_ref = -0.4}};
     for (int law = 0; law < 2; law++)
         for (double T = -0.35; T < 3; T += 0.37) {
-            double d = 1e-3, k = conduction_k(&p[law], T), theta = conduction_theta(&p[law], T);
-            double slope = (conduction_theta(&p[law], T + d) - conduction_theta(&p[law], T - d)) / (2 * d);
+            double d = 1e-3, k = nonlinear_k(&p[law], T), theta = nonlinear_theta(&p[law], T);
+            double slope = (nonlinear_theta(&p[law], T + d) - nonlinear_theta(&p[law], T - d)) / (2 * d);
             assert_near(slope, k, law ? 1e-5 * k / pow(T + 0.4, 2) : 1e-12);
-            assert_near(conduction_T(&p[law], theta), T, 1e-14);
+            assert_near(nonlinear_T(&p[law], theta), T, 1e-14);
             assert_near(kirchhoff_k(&p[law], T), k, 1e-15);
             assert_near(kirchhoff_theta(&p[law], T), theta, 1e-15);
         }
@@ -261,7 +261,7 @@ static void default_mean_follows_the_problem(void **state) {
 }
 
 static double harmonic_theta(const struct problem *p, const double *x) {
-    return conduction_T(p, 3 + x[0] * x[0] - x[1] * x[1] + 0.3 * x[0] * x[1] - 0.2 * x[1]);
+    return nonlinear_T(p, 3 + x[0] * x[0] - x[1] * x[1] + 0.3 * x[0] * x[1] - 0.2 * x[1]);
 }
 
 static double harmonic_wall(const struct problem *p, enum side s, const double *x, double t) {

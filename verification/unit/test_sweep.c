@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hot loops against their definition, and the same bits for any sharing, width of vectors and threads. */
 
+#include "solver/space/assembly.h"
+#include "solver/sweep/state.h"
 #include "solver/sweep/sweep.h"
 #include "solver/sweep/wavefront.h"
 
@@ -222,7 +224,7 @@ static void make_rows(struct made *m, struct problem p, struct options o) {
     *m = (struct made){.p = p};
     assert_int_equal(layout_lattice(&m->p, &o, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&m->p, &o, &l, 2 * o.h * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(operator_create_csr(&m->a, &m->p, &o, method_so_ssph.scheme, &c, l.dx[0], &why), STATUS_OK);
+    assert_int_equal(assembly_operator(&m->a, &m->p, &o, method_so_ssph.scheme, &c, l.dx[0], &why), STATUS_OK);
     layout_cloud_free(&c);
     m->Y[0] = any_state(&m->a, 0), m->Y[1] = any_state(&m->a, 1000003), m->Y0 = any_state(&m->a, 2000003);
     for (int k = 0; k < UPDATES; k++) {

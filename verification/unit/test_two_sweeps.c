@@ -2,7 +2,6 @@
 /* Rows of two sweeps against their definition: the derivatives of all points, then the divergence of the flux; and
  * the conjugate pair, symmetric and never growing. */
 #include "solver/space/assembly.h"
-#include "solver/space/csr.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
@@ -20,7 +19,7 @@ static void assemble(const struct problem *p, const struct options *o, const str
     struct lattice l;
     struct failure why;
     if (layout_lattice(p, o, &l, &why) || layout_cloud(p, o, &l, 4 * o->h * l.dx[0], c, &why) ||
-        operator_create_csr(a, p, o, s, c, l.dx[0], &why))
+        assembly_operator(a, p, o, s, c, l.dx[0], &why))
         fail_msg("%s", why.text);
 }
 
@@ -49,7 +48,6 @@ static void composed_rows_equal_two_sweeps(void **state) {
         struct heat_operator a;
         struct assembly m;
         struct failure why;
-        struct row r;
         assemble(&p, &jittered, s, &c, &a);
         assert_int_equal(assembly_create(&m, &p, &jittered, s, &c, jittered.dx, &why), STATUS_OK);
         double *T = xcalloc(c.total, sizeof *T), *q[2], d[2], bound = operator_bound(&a);
@@ -62,15 +60,12 @@ static void composed_rows_equal_two_sweeps(void **state) {
             differ(&m, i, (const double *[2]){T, T}, 1, d);
             for (int axis = 0; axis < 2; axis++) q[axis][i] = p.material[0].k[axis] / p.material[0].rho_c * d[axis];
         }
-        csr_row_create(&r, a.n);
         for (size_t i = 0; i < a.n; i++) {
-            double sum = a.g ? a.g[i] : 0;
-            operator_row_take(&a, i, &r);
-            for (size_t j = 0; j < r.n; j++) sum += r.value[r.column[j]] * T[r.column[j]];
+            double sum = (a.g ? a.g[i] : 0) + a.diagonal[i] * T[i];
+            for (size_t j = a.row[i]; j < a.row[i + 1]; j++) sum += a.value[j] * T[a.column[j]];
             differ(&m, i, (const double *[2]){q[0], q[1]}, s->adjoint ? -1 : 1, d);
             assert_near(sum, d[0] + d[1], 1e-13 * bound);
         }
-        csr_row_free(&r);
         free(T), free(q[0]), free(q[1]);
         assembly_free(&m);
         operator_free(&a);
@@ -92,18 +87,13 @@ static void the_conjugate_pair_is_symmetric_and_never_grows(void **state) {
         struct options o = jittered;
         struct cloud c;
         struct heat_operator a;
-        struct row r;
         o.dx = 0.15, o.jitter = jitter[k];
         for (int s = 0; s < 4; s++) p.side[s] = NEUMANN;
         p.wall = no_flux, p.hi[0] = p.lo[0] + 1.5;
         assemble(&p, &o, method_conjugate.scheme, &c, &a);
         double *A = xcalloc(a.n * a.n, sizeof *A), bound = operator_bound(&a), *lambda = xcalloc(a.n, sizeof *lambda);
-        csr_row_create(&r, a.n);
-        for (size_t i = 0; i < a.n; i++) {
-            operator_row_take(&a, i, &r);
-            for (size_t j = 0; j < r.n; j++) A[i * a.n + r.column[j]] = r.value[r.column[j]] / bound;
-        }
-        csr_row_free(&r);
+        operator_dense(&a, A);
+        for (size_t i = 0; i < a.n * a.n; i++) A[i] /= bound;
         for (size_t i = 0; i < a.n; i++)
             for (size_t j = 0; j < i; j++) assert_near(A[i * a.n + j], A[j * a.n + i], 1e-14);
         gsl_matrix_view M = gsl_matrix_view_array(A, a.n, a.n);

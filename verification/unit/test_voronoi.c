@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Voronoi cells on clouds without symmetry, and the operator on their faces: identities that hold to round-off, and
  * refusals. */
-#include "solver/particles/compatibility.h"
-#include "solver/space/csr.h"
+#include "solver/particles/particles.h"
+#include "solver/space/assembly.h"
 #include "solver/space/voronoi.h"
-#include "solver/space/voronoi_cell.h"
-#include "solver/space/voronoi_round.h"
 #include "solver/shape.h"
 
 #include "verification/unit/near.h"
@@ -113,7 +111,7 @@ static void voronoi_cells_fill_a_round_body(void **state) {
         struct failure why;
         shape_round(&p, hole, 1.1);
         assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
-        if (layout_cut(&p, &o, &l, 4 * l.dx[0], &c, &why)) fail_msg("%s", why.text);
+        if (layout_cloud(&p, &o, &l, 4 * l.dx[0], &c, &why)) fail_msg("%s", why.text);
         if (voronoi_create(&v, &p, &c, 2, &why)) fail_msg("%s", why.text);
         for (size_t i = 0; i < v.n; i++) {
             double out[2] = {0, 0}, chord = 0, size = 0;
@@ -191,29 +189,25 @@ static void voronoi_operator_is_symmetric(void **state) {
         struct made m;
         struct heat_operator a;
         struct failure why;
-        struct row r;
         make(&m, &kinds[k / 2], k % 2, k % 3 ? 0.213 : NAN);
         for (size_t g = m.c.n; g < m.c.total; g++) m.c.factor[g] = 1; /* insulated */
-        if (operator_create_csr(&a, &m.p, &m.o, method_voronoi_flux.scheme, &m.c, m.dx, &why))
-            fail_msg("%s", why.text);
+        if (assembly_operator(&a, &m.p, &m.o, method_voronoi_flux.scheme, &m.c, m.dx, &why)) fail_msg("%s", why.text);
         double *held = xcalloc(a.n * a.n, sizeof *held);
-        csr_row_create(&r, a.n);
+        operator_dense(&a, held);
         for (size_t i = 0; i < a.n; i++) {
             double capacity = a.volume[i] * (a.rho_c ? a.rho_c[i] : m.p.material[0].rho_c), sum = 0;
-            operator_row_take(&a, i, &r);
-            for (size_t q = 0; q < r.n; q++) {
-                held[i * a.n + r.column[q]] = capacity * r.value[r.column[q]];
-                sum += r.value[r.column[q]];
-                if (r.column[q] != i) assert_order(r.value[r.column[q]], >, 0);
+            for (size_t j = 0; j < a.n; j++) {
+                sum += held[i * a.n + j];
+                if (j != i) assert_order(held[i * a.n + j], >=, 0);
             }
-            assert_near(sum / r.value[i], 0, 1e-9);
+            assert_near(sum / a.diagonal[i], 0, 1e-9);
+            for (size_t j = 0; j < a.n; j++) held[i * a.n + j] *= capacity;
         }
         for (size_t i = 0; i < a.n; i++)
             for (size_t j = 0; j < i; j++) {
                 double here = held[i * a.n + j], there = held[j * a.n + i];
                 if (here != 0 || there != 0) assert_near(here / there, 1, 4.5e-16);
             }
-        csr_row_free(&r);
         free(held);
         operator_free(&a);
         layout_cloud_free(&m.c);
@@ -230,8 +224,7 @@ static void voronoi_rows_are_exact_for_linear_fields(void **state) {
         struct failure why;
         int two = k % 2;
         make(&m, &kinds[k / 2], 0, two ? 0.213 : NAN);
-        if (operator_create_csr(&a, &m.p, &m.o, method_voronoi_flux.scheme, &m.c, m.dx, &why))
-            fail_msg("%s", why.text);
+        if (assembly_operator(&a, &m.p, &m.o, method_voronoi_flux.scheme, &m.c, m.dx, &why)) fail_msg("%s", why.text);
         const double *K = m.p.material[0].k, rho_c = m.p.material[0].rho_c;
         for (size_t i = 0; i < a.n; i++) {
             double x = m.c.x[i], y = m.c.y[i], sum[3] = {0, 0, 0}, size = fabs(a.diagonal[i]) * 0.05;
@@ -327,7 +320,7 @@ static void bad_clouds_are_refused(void **state) {
     layout_cloud_free(&m.c);
     m.p.materials = 2, m.p.material[0].k[0] = 0.8, m.p.material[0].k[1] = 0.4;
     m.p.material[1] = (struct material){{0.3, 0.9}, 1};
-    assert_int_equal(compatibility_check(&m.p, &m.o, method_voronoi_flux.scheme, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(particles_check(&m.p, &m.o, method_voronoi_flux.scheme, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "k_y/k_x is 0.5 in one material and 3 in the other, but cells have one metric");
 }
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Walls that cut the lattice at arbitrary positions: values of dummies, the choice of held particles, clipped cells;
  * and initial data that solve the equation remain steady. */
-#include "solver/particles/compatibility.h"
+#include "solver/space/assembly.h"
+#include "solver/shape.h"
+#include "solver/particles/particles.h"
 #include "solver/particles/particles.h"
 #include "solver/particles/walls.h"
 
@@ -102,7 +104,7 @@ static void every_treatment_keeps_a_constant(void **state) {
                 struct problem p = body(round, (enum side_kind)kind, &flat);
                 struct options o = {.walls = all[t], .shift = round ? 0 : 0.37};
                 struct failure why;
-                if (compatibility_check(&p, &o, method_so_ssph.scheme, &why)) continue;
+                if (particles_check(&p, &o, method_so_ssph.scheme, &why)) continue;
                 assert_near(off(&p, all[t], LAYOUT_LATTICE), 0, 1e-12);
             }
 }
@@ -148,7 +150,7 @@ static void one_sided_rows_do_not_grow_beside_a_wall(void **state) {
             assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
             assert_int_equal(layout_cloud(&p, &o, &l, 0.22, &c, &why), STATUS_OK);
             assert_int_equal(c.total, c.n); /* no dummies */
-            assert_int_equal(operator_create_csr(&a, &p, &o, method_so_ssph.scheme, &c, 0.1, &why), STATUS_OK);
+            assert_int_equal(assembly_operator(&a, &p, &o, method_so_ssph.scheme, &c, 0.1, &why), STATUS_OK);
             double most = 0, inner = 4 * K / 0.01; /* the symbol's largest */
             for (size_t i = 0; i < a.n; i++) most = fmax(most, fabs(a.diagonal[i]));
             if (!(most < inner)) fail_msg("kind %d, 1e-%d dx from the wall: %g, %g inside", kind, near, most, inner);
@@ -188,7 +190,7 @@ static void fits_let_no_mode_grow(void **state) {
                 if (k % 2 && m < 2) o.layout = LAYOUT_JITTER, o.jitter = 0.2;
                 if (k % 2 && m == 2) o.seed = 6, o.shift *= 1.5; /* fo_ssph grows on a cloud without walls too */
                 if (layout_lattice(&p, &o, &l, &why) || particles_cloud(&p, &o, all[m]->scheme, &l, &c, &why) ||
-                    operator_create_csr(&a, &p, &o, all[m]->scheme, &c, o.dx, &why) ||
+                    assembly_operator(&a, &p, &o, all[m]->scheme, &c, o.dx, &why) ||
                     spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, &why))
                     fail_msg("%s", why.text);
                 if (!(s.growth <= spectrum_rounding(&s)))

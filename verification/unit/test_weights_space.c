@@ -3,7 +3,7 @@
  * exchange of axes; volumes that are exact on the lattice; quadratics across an interface. */
 
 #include "solver/method.h"
-#include "solver/particles/compatibility.h"
+#include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
 
 #include "verification/unit/near.h"
@@ -261,7 +261,7 @@ static void methods_of_the_plane_are_refused(void **state) {
         struct failure why;
         struct options o = {.dx = 0.1, .h = 1.1, .layout = LAYOUT_JITTER, .jitter = 0.2};
         p.material[0] = (struct material){{0.7, 0.7, 0.7}, 1.3};
-        assert_int_equal(compatibility_check(&p, &o, method_find(names[k])->scheme, &why), STATUS_NOT_APPLICABLE);
+        assert_int_equal(particles_check(&p, &o, method_find(names[k])->scheme, &why), STATUS_NOT_APPLICABLE);
         assert_has(why.text, names[k]);
         assert_has(why.text, "use so_ssph");
     }

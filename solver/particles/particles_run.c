@@ -1,13 +1,90 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Time steps of a particle run: length and number, operation count, range of a stable run, growth. */
+/* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper ->
+ * field. */
 #include "solver/particles/particles.h"
+
+#include "solver/particles/nonlinear.h"
 #include "solver/particles/start.h"
-#include "solver/work.h"
 #include "solver/shape.h"
+#include "solver/space/assembly.h"
 #include "solver/space/sample.h"
 #include "solver/time/growth.h"
+#include "solver/work.h"
 
 #include <math.h>
+#include <stdlib.h>
+
+/* ---- Particles and operator ---- */
+
+/* rho_c: J m^-3 K^-1, of each point's cell; NULL if it follows from the position.  Four independent partial sums
+ * within one material hide the latency. */
+static double heat_content(const struct problem *p, const struct field *f, const double *rho_c, double cell,
+                           double volume) {
+    double sum[4] = {0}, all = 0;
+    size_t i = 0;
+    if (p->materials == 1 && !f->weight) {
+        for (; i + 4 <= f->n; i += 4)
+            for (size_t k = 0; k < 4; k++) sum[k] += f->T[i + k];
+        for (; i < f->n; i++) sum[i % 4] += f->T[i];
+    }
+    for (; i < f->n; i++) {
+        double x[DIM_MAX], held = rho_c ? rho_c[i] : layout_rho_c(p, cell, field_place(f, i, x)[0]);
+        all += held * f->T[i] * (f->weight ? f->weight[i] : volume);
+    }
+    return all + p->material[0].rho_c * ((sum[0] + sum[1]) + (sum[2] + sum[3])) * volume;
+}
+
+/* room: of T, for a state. */
+static void place_on_lattice(const struct lattice *l, size_t room, struct field *f) {
+    field_alloc_lattice(f, l->dim, l->n, xcalloc(room, sizeof *f->T));
+    for (int a = 0; a < l->dim; a++)
+        for (int i = 0; i < l->n[a]; i++) {
+            double x[DIM_MAX];
+            layout_position(l, i, i, i, x);
+            f->x[a][i] = x[a];
+        }
+}
+
+static int place_cloud(const struct problem *p, const struct options *o, const struct scheme *s,
+                       const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
+    struct cloud c;
+    if (particles_cloud(p, o, s, l, &c, why)) return why->status;
+    int status = assembly_operator(a, p, o, s, &c, l->dx[0], why);
+    field_alloc(f, p->dim, c.n);
+    if (!status && start_averages_cells(o, s)) status = voronoi_average(p, &c, o->threads, f->T, why);
+    for (size_t i = 0; i < c.n; i++) {
+        double x[DIM_MAX];
+        layout_cloud_place(&c, i, x);
+        field_put(f, i, x);
+    }
+    f->weight = a->volume, a->volume = NULL;
+    if (!f->weight) f->weight = c.cell, c.cell = NULL;
+    if (a->images && !status) {
+        a->images->cloud = xcalloc(1, sizeof c);
+        *a->images->cloud = c;
+    } else {
+        layout_cloud_free(&c);
+    }
+    return status;
+}
+
+/* Sets positions, operator and shape of the field. */
+static int place_particles(const struct problem *p, const struct options *o, const struct scheme *s,
+                           const struct lattice *l, int rows, struct heat_operator *a, struct field *f,
+                           struct failure *why) {
+    if (rows) {
+        if (place_cloud(p, o, s, l, a, f, why)) return why->status;
+        int ordered = p->dim == 1 && !options_is_cloud(o); /* else by cells */
+        for (int d = 0; d < DIM_MAX && ordered; d++) f->shape[d] = d ? 1 : (int)f->n;
+    } else {
+        if (operator_create_lattice(a, p, o, s, l, why)) return why->status;
+        place_on_lattice(l, a->state, f);
+    }
+    for (int d = 0; d < p->dim; d++) f->spacing[d] = l->dx[d];
+    return STATUS_OK;
+}
+
+/* ---- Time steps ---- */
 
 /* 1 if the initial data differ from the temperature of a round Dirichlet wall by more than 1e-9 of their size. */
 static int round_is_rough(const struct problem *p) {
@@ -125,7 +202,7 @@ static void data_range(const struct problem *p, const struct field *f, double *l
             struct foot foot = shape_foot(p, s, at);
             double least = HUGE_VAL, most = -HUGE_VAL;
             problem_wall_range(p, (enum side)s, foot.x, &least, &most);
-            if (p->side[s] == NEUMANN)
+            if (problem_law(p, s)->is_flux)
                 flux[s] = fmax(flux[s], fmax(-least, most));
             else
                 *lo = fmin(*lo, least), *hi = fmax(*hi, most);
@@ -134,22 +211,22 @@ static void data_range(const struct problem *p, const struct field *f, double *l
     *lo -= add, *hi += add;
 }
 
-/* STATUS_UNSTABLE if RKL2 with many stages meets an operator with eigenvalues far from the real axis, such as next
- * to a wall that cuts the lattice.  Up to seven stages damp all modes of the operators here. */
+/* STATUS_UNSTABLE if the stages of a step do not damp eigenvalues far from the real axis, as those next to a wall
+ * that cuts the lattice.  Up to `damped` stages damp all modes of the operators here. */
 static int check_damping(const struct options *o, const struct heat_operator *a, const struct march *m,
                          struct failure *why) {
-    enum { FEW = 7 };
-    if (!stepper_of(o->stepper)->first || a->weight || m->stages <= FEW) return STATUS_OK;
+    const struct stepper *s = stepper_of(o->stepper), *without_error = stepper_of(stepper_without_error(0));
+    if (!s->damped || a->weight || m->stages <= s->damped) return STATUS_OK;
     double dt = m->time / (double)m->steps, factor = growth_by_steps(a, m->bound, dt, (double)m->steps);
     if (factor == 0) return STATUS_OK;
     return refuse(why, STATUS_UNSTABLE,
-                  "--dt %g: a step of rkl2 with %d stages multiplies by %.3g a mode that should decay; use shorter "
-                  "steps, or --stepper chebyshev",
-                  dt, m->stages, factor);
+                  "--dt %g: a step of %s with %d stages multiplies by %.3g a mode that should decay; use shorter "
+                  "steps, or --stepper %s",
+                  dt, s->name, m->stages, factor, without_error->name);
 }
 
-int particles_integrate(const struct problem *p, const struct options *o, const struct scheme *s,
-                        const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
+static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
     f->cost.bytes = field_bytes(f) + a->bytes;
     struct march m;
     double bound = operator_bound(a);
@@ -169,6 +246,41 @@ int particles_integrate(const struct problem *p, const struct options *o, const 
     return stepper_march(a, &m, f->T, &f->cost.bytes, why);
 }
 
+/* ---- The run ---- */
+
+int particles_solve(const struct method *m, const struct problem *p, const struct options *given, struct field *out,
+                    struct failure *why) {
+    double begin = field_clock();
+    struct options o;
+    struct lattice l;
+    int rows;
+    if (problem_nonlinearity(p)) return nonlinear_solve(m, p, given, out, why);
+    if (particles_prepare(p, given, m->scheme, &o, &l, &rows, why)) return why->status;
+    if (o.stepper == STEPPER_AUTO) o.stepper = stepper_auto(1, o.dt > 0 || o.fourier > 0, 0);
+
+    struct field f = {0};
+    struct heat_operator a = {0};
+    int status = place_particles(p, &o, m->scheme, &l, rows, &a, &f, why);
+    f.time = p->t_end;
+    if (!status) status = start_set(p, &o, m->scheme, &l, rows, &a, &f, why);
+    if (!status) {
+        double volume = layout_volume(&l), cell = layout_cell(&o, l.dx[0]);
+        f.heat[0] = heat_content(p, &f, a.rho_c, cell, volume);
+        double loop = field_clock();
+        status = integrate(p, &o, m->scheme, &l, &a, &f, why);
+        f.cost.step_seconds = field_clock() - loop;
+        if (a.state > a.n) f.T = xcheck(realloc(f.T, f.n * sizeof *f.T), f.n, sizeof *f.T);
+        f.heat[1] = heat_content(p, &f, a.rho_c, cell, volume);
+    }
+    operator_free(&a);
+    f.cost.seconds = field_clock() - begin;
+    if (status)
+        field_free(&f);
+    else
+        *out = f;
+    return status;
+}
+
 int particles_growth(const struct method *m, const struct problem *p, const struct options *given,
                      const struct field *f, double *rate, struct failure *why) {
     struct options o, there = *given;
@@ -178,12 +290,12 @@ int particles_growth(const struct method *m, const struct problem *p, const stru
     int rows = 0;
     *rate = NAN;
     there.placed = there.layout == LAYOUT_RELAXED ? f : NULL;
-    if (!m->scheme || p->k_law) return STATUS_OK;
+    if (!m->scheme || problem_nonlinearity(p)) return STATUS_OK;
     there.stepper = stepper_auto(1, 0, 0); /* the rows do not depend on it */
     if (particles_prepare(p, &there, m->scheme, &o, &l, &rows, why)) return why->status;
     if (!rows) return STATUS_OK;
     if (particles_cloud(p, &o, m->scheme, &l, &c, why)) return why->status;
-    int status = operator_create_csr(&a, p, &o, m->scheme, &c, l.dx[0], why);
+    int status = assembly_operator(&a, p, &o, m->scheme, &c, l.dx[0], why);
     layout_cloud_free(&c);
     if (status) return status;
     *rate = growth_rate(&a, operator_bound(&a), p->t_end);
