@@ -15,7 +15,7 @@
 #include "reports/song/song.h"
 
 #include "references/series.h"
-#include "solver/space/csr.h"
+#include "solver/space/assembly.h"
 #include "solver/space/kernel.h"
 #include "verification/judge/command.h"
 #include "verification/judge/consistency.h"
@@ -307,29 +307,24 @@ static double of_linear(const char *method, struct claims_measured *m) {
     struct model_problem b;
     struct cloud c;
     struct heat_operator a;
-    struct row r;
     struct failure why;
     double most = 0;
     if (claim_model(&b, NULL, m, "limit %s --dim 2 --layout jitter --jitter 0.2 --seed 3", method)) return NAN;
     struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     if (model_problem_cloud(&b, &p, &c, &why)) return claim_fail(m, why.text), NAN;
-    if (operator_create_csr(&a, &p, &b.options, b.method->scheme, &c, 1, &why)) {
+    if (assembly_operator(&a, &p, &b.options, b.method->scheme, &c, 1, &why)) {
         layout_cloud_free(&c);
         return claim_fail(m, why.text), NAN;
     }
     double inside = 2 * KERNEL_SUPPORT * b.options.h; /* support of two sweeps */
-    csr_row_create(&r, a.n);
     for (size_t i = 0; i < a.n; i++) {
         double sum[2] = {0, 0};
         if (fmin(fmin(c.x[i] - p.lo[0], p.hi[0] - c.x[i]), fmin(c.y[i] - p.lo[1], p.hi[1] - c.y[i])) < inside)
             continue;
-        operator_row_take(&a, i, &r);
-        for (size_t k = 0; k < r.n; k++)
-            sum[0] += r.value[r.column[k]] * (c.x[r.column[k]] - c.x[i]),
-                sum[1] += r.value[r.column[k]] * (c.y[r.column[k]] - c.y[i]);
+        for (size_t k = a.row[i]; k < a.row[i + 1]; k++)
+            sum[0] += a.value[k] * (c.x[a.column[k]] - c.x[i]), sum[1] += a.value[k] * (c.y[a.column[k]] - c.y[i]);
         most = fmax(most, fmax(fabs(sum[0]), fabs(sum[1])));
     }
-    csr_row_free(&r);
     operator_free(&a);
     layout_cloud_free(&c);
     claim_number(m, most, "kappa/dx", "largest |L x|, %s", method);

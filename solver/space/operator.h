@@ -58,7 +58,7 @@ struct scheme {                   /* neighbour weights of a particle method; the
     int cells;
     /* Default h/dx; NULL: 1.1 max(order, 2)/2. */
     double (*h)(const struct problem *p);
-    /* Further refusals of the method, called by compatibility_check; NULL: none. */
+    /* Further refusals of the method, called by particles_check; NULL: none. */
     int (*check)(const struct problem *p, const struct options *o, struct failure *why);
     /* m^dim: effective volume of a particle on a lattice of volume dV = dx^dim and smoothing length h (m); NULL if
      * the weights do not depend on it. */
