@@ -11,6 +11,7 @@
 #include "reports/figure/reading.h"
 #include "solver/method.h"
 #include "solver/particles/particles.h"
+#include "solver/space/assembly.h"
 #include "solver/time/stepper.h"
 #include "verification/judge/command.h"
 #include "verification/judge/slope.h"
