@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { REACH = CEILING_WEIGHTS_REACH, WIDE = CEILING_WEIGHTS_WIDE, NEAR = REACH / 2, MONOMIALS = 9 };
+enum { REACH = CEILING_REACH, NEAR = REACH / 2, MONOMIALS = 9 };
 
 /* Loops over the offsets within r along each axis that the dimension has. */
 #define OFFSETS(dim, r, i, j, k)                                                                                     \
@@ -34,6 +34,18 @@ double ceiling_weights_moment(const struct ceiling_weights *s, int a, int b, int
     return sum;
 }
 
+double ceiling_weights_along(const struct ceiling_weights *s, const double u[DIM_MAX], int n) {
+    double sum = 0;
+    OFFSETS(s->dim, s->reach, i, j, k) sum += AT(s, i, j, k) * power(u[0] * i + u[1] * j + u[2] * k, n);
+    return sum;
+}
+
+double ceiling_weights_row(const struct ceiling_weights *s) {
+    double sum = -fabs(AT(s, 0, 0, 0));
+    OFFSETS(s->dim, s->reach, i, j, k) sum += fabs(AT(s, i, j, k));
+    return sum;
+}
+
 static enum ceiling_family family_of(const char *method) {
     static const struct {
         const char *method;
@@ -48,13 +60,17 @@ static enum ceiling_family family_of(const char *method) {
                {"ftcs", DIFFERENCE},
                {"voronoi_flux", DIFFERENCE},
                {"positive", DIFFERENCE},
-               {"ftcs_flux", DIFFERENCE_TWICE}};
+               {"ftcs_flux", DIFFERENCE_TWICE},
+               {"brookshaw", PAIRS},
+               {"brookshaw_corrected", PAIRS},
+               {"schwaiger", PAIRS},
+               {"fatehi_manzari", PAIRS}};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++)
         if (strcmp(row[k].method, method) == 0) return row[k].family;
-    return PAIRS;
+    return UNKNOWN;
 }
 
-double ceiling_weights_radial(const struct ceiling_weights_case *c, double r) {
+double ceiling_weights_radial(const struct ceiling_weights *c, double r) {
     double s = r / c->h;
     if (r == 0 || s >= KERNEL_SUPPORT) return 0;
     double slope = kernel_slope(c->kernel, c->dim, s);
@@ -71,30 +87,29 @@ double ceiling_weights_radial(const struct ceiling_weights_case *c, double r) {
 }
 
 /* sum_a ratio_a d2/dx_a2 of the best-fitting polynomial of degree `order`; odd monomials drop out by symmetry. */
-static void least_squares(const struct ceiling_weights_case *c, struct ceiling_weights *s) {
+static void least_squares(struct ceiling_weights *s) {
     static const int powers[MONOMIALS][DIM_MAX] = {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {4, 0, 0}, {0, 4, 0},
                                                    {0, 0, 4}, {2, 2, 0}, {2, 0, 2}, {0, 2, 2}};
     const int *use[MONOMIALS];
     int n = 0;
-    struct ceiling_weights W = *s;
     for (int m = 0; m < MONOMIALS; m++) {
         const int *p = powers[m];
-        int missing = (c->dim < 2 && p[1] > 0) || (c->dim < 3 && p[2] > 0);
-        if (!missing && p[0] + p[1] + p[2] <= c->order) use[n++] = p;
+        int missing = (s->dim < 2 && p[1] > 0) || (s->dim < 3 && p[2] > 0);
+        if (!missing && p[0] + p[1] + p[2] <= s->order) use[n++] = p;
     }
     gsl_matrix *N = gsl_matrix_alloc((size_t)n, (size_t)n);
     gsl_vector *z = gsl_vector_calloc((size_t)n);
     for (int a = 0; a < n; a++) {
         const int *p = use[a];
         for (int b = 0; b < n; b++) {
-            double m = ceiling_weights_moment(&W, p[0] + use[b][0], p[1] + use[b][1], p[2] + use[b][2]);
+            double m = ceiling_weights_moment(s, p[0] + use[b][0], p[1] + use[b][1], p[2] + use[b][2]);
             gsl_matrix_set(N, (size_t)a, (size_t)b, m);
         }
-        for (int axis = 0; axis < c->dim; axis++)
-            if (p[axis] == 2 && p[0] + p[1] + p[2] == 2) gsl_vector_set(z, (size_t)a, 2 * c->ratio[axis]);
+        for (int axis = 0; axis < s->dim; axis++)
+            if (p[axis] == 2 && p[0] + p[1] + p[2] == 2) gsl_vector_set(z, (size_t)a, 2 * s->ratio[axis]);
     }
     gsl_linalg_HH_svx(N, z);
-    OFFSETS(c->dim, s->reach, i, j, k) {
+    OFFSETS(s->dim, s->reach, i, j, k) {
         double sum = 0;
         for (int a = 0; a < n; a++)
             sum += gsl_vector_get(z, (size_t)a) * power(i, use[a][0]) * power(j, use[a][1]) * power(k, use[a][2]);
@@ -105,91 +120,100 @@ static void least_squares(const struct ceiling_weights_case *c, struct ceiling_w
 }
 
 /* The derivative along x, sum w x = 1, applied twice, and its images along the other axes times their ratios. */
-static void apply_twice(const struct ceiling_weights_case *c, struct ceiling_weights *s, double *blind) {
-    struct ceiling_weights D = *s, one = {.dim = c->dim};
+static void apply_twice(struct ceiling_weights *s) {
+    struct ceiling_weights D = *s, one = {.dim = s->dim};
     double sum = ceiling_weights_moment(s, 2, 0, 0), across = 0;
-    OFFSETS(c->dim, NEAR, i, j, k) {
+    OFFSETS(s->dim, NEAR, i, j, k) {
         double w = AT(&D, i, j, k) *= i / sum;
         across += w * i * (i % 2 ? -1 : 1);
     }
-    *blind = across * across;
-    OFFSETS(c->dim, NEAR, i, j, k) {
+    s->blind = across * across;
+    OFFSETS(s->dim, NEAR, i, j, k) {
         double w = AT(&D, i, j, k);
         if (w == 0) continue;
-        OFFSETS(c->dim, NEAR, l, m, n) AT(&one, i + l, j + m, k + n) += w * AT(&D, l, m, n);
+        OFFSETS(s->dim, NEAR, l, m, n) AT(&one, i + l, j + m, k + n) += w * AT(&D, l, m, n);
     }
     s->reach = REACH;
-    OFFSETS(c->dim, REACH, i, j, k) {
+    OFFSETS(s->dim, REACH, i, j, k) {
         AT(s, i, j, k) = AT(&one, i, j, k);
-        if (c->dim > 1) AT(s, i, j, k) += c->ratio[1] * AT(&one, j, i, k);
-        if (c->dim > 2) AT(s, i, j, k) += c->ratio[2] * AT(&one, k, j, i);
+        if (s->dim > 1) AT(s, i, j, k) += s->ratio[1] * AT(&one, j, i, k);
+        if (s->dim > 2) AT(s, i, j, k) += s->ratio[2] * AT(&one, k, j, i);
     }
 }
 
-void ceiling_weights_of(const struct ceiling_weights_case *c, struct ceiling_weights *s, double *blind) {
-    int step = c->family == DIFFERENCE_TWICE ? 2 : 1;
-    *blind = c->family == DIFFERENCE_TWICE;
-    *s = (struct ceiling_weights){.dim = c->dim, .reach = NEAR};
-    OFFSETS(c->dim, NEAR, i, j, k) AT(s, i, j, k) = ceiling_weights_radial(c, sqrt(i * i + j * j + k * k));
-    switch (c->family) {
+/* Neighbours `step` dx away along each axis. */
+static void difference(struct ceiling_weights *s, int step) {
+    memset(s->w, 0, sizeof s->w);
+    for (int a = 0; a < s->dim; a++)
+        for (int side = -step; side <= step; side += 2 * step)
+            AT(s, a == 0 ? side : 0, a == 1 ? side : 0, a == 2 ? side : 0) = s->ratio[a] / (step * step);
+}
+
+static void fill(struct ceiling_weights *s) {
+    s->reach = NEAR, s->blind = 0;
+    memset(s->w, 0, sizeof s->w);
+    OFFSETS(s->dim, NEAR, i, j, k) AT(s, i, j, k) = ceiling_weights_radial(s, sqrt(i * i + j * j + k * k));
+    double second = ceiling_weights_moment(s, 2, 0, 0) / 2;
+    switch (s->family) {
     case LEAST_SQUARES:
-        least_squares(c, s);
-        break;
+        least_squares(s);
+        return;
     case TWICE_VALUE:
     case TWICE_SLOPE:
-        apply_twice(c, s, blind);
-        break;
-    case DIFFERENCE_TWICE:
+        apply_twice(s);
+        return;
     case DIFFERENCE:
-        *s = (struct ceiling_weights){.dim = c->dim, .reach = NEAR};
-        for (int a = 0; a < c->dim; a++)
-            for (int side = -step; side <= step; side += 2 * step)
-                AT(s, a == 0 ? side : 0, a == 1 ? side : 0, a == 2 ? side : 0) = c->ratio[a] / (step * step);
-        break;
-    default: {
-        double second = ceiling_weights_moment(s, 2, 0, 0) / 2;
-        OFFSETS(c->dim, NEAR, i, j, k) AT(s, i, j, k) /= second;
-    }
+        difference(s, 1);
+        return;
+    case DIFFERENCE_TWICE:
+        difference(s, 2);
+        s->blind = 1;
+        return;
+    case PAIRS:
+    case CURVATURE:
+        OFFSETS(s->dim, NEAR, i, j, k) AT(s, i, j, k) /= second;
+        return;
+    case UNKNOWN:
+        OFFSETS(s->dim, NEAR, i, j, k) AT(s, i, j, k) = NAN;
     }
 }
 
 /* B - 2 A */
-static double anisotropy(struct ceiling_weights_case *c, double h) {
-    struct ceiling_weights s;
-    double blind;
-    c->h = h;
-    ceiling_weights_of(c, &s, &blind);
-    return ceiling_weights_moment(&s, 2, 2, 0) / 4 - ceiling_weights_moment(&s, 4, 0, 0) / 12;
+static double anisotropy(struct ceiling_weights *s, double h) {
+    s->h = h;
+    fill(s);
+    return ceiling_weights_moment(s, 2, 2, 0) / 4 - ceiling_weights_moment(s, 4, 0, 0) / 12;
 }
 
 /* --h iso: the root of B = 2 A nearest to 1.2 in the plane, to 1 in space. */
-static double isotropic_h(struct ceiling_weights_case *c) {
+static double isotropic_h(struct ceiling_weights s) {
     static const double step = 1.0 / 64;
-    const double middle = c->dim == 3 ? 1 : 1.2;
+    const double middle = s.dim == 3 ? 1 : 1.2;
     for (int k = 0; k < 100; k++)
         for (int side = -1; side <= 1; side += 2) {
-            double lo = middle + side * k * step, hi = lo + side * step, at_lo = anisotropy(c, lo);
-            if (at_lo * anisotropy(c, hi) > 0) continue;
+            double lo = middle + side * k * step, hi = lo + side * step, at_lo = anisotropy(&s, lo);
+            if (at_lo * anisotropy(&s, hi) > 0) continue;
             for (int i = 0; i < 50; i++) {
                 double half = (lo + hi) / 2;
-                *(anisotropy(c, half) * at_lo > 0 ? &lo : &hi) = half;
+                *(anisotropy(&s, half) * at_lo > 0 ? &lo : &hi) = half;
             }
             return (lo + hi) / 2;
         }
     return NAN;
 }
 
-struct ceiling_weights_case ceiling_weights_case(const struct experiment *e) {
+struct ceiling_weights ceiling_weights(const struct experiment *e) {
     const struct problem *p = &e->problem;
     const struct options *o = &e->options;
     struct options resolved = *o;
     struct failure ignored;
-    struct ceiling_weights_case c = {.family = family_of(e->method->name), .kernel = o->kernel, .dim = p->dim};
+    struct ceiling_weights s = {.family = family_of(e->method->name), .kernel = o->kernel, .dim = p->dim};
     for (int a = 0; a < DIM_MAX; a++)
-        c.ratio[a] = a < p->dim && !options_is_matched(o) ? p->material[0].k[a] / p->material[0].k[0] : 1;
-    c.order = o->order > 2 ? o->order : 2;
-    if (e->method->scheme && !particles_resolve(p, o, e->method->scheme, &resolved, &ignored)) c.h = resolved.h;
-    if (o->h_iso) c.h = isotropic_h(&c);
-    if (strcmp(e->method->name, "brookshaw") == 0) c.eta = 0.1 * c.h;
-    return c;
+        s.ratio[a] = a < p->dim && !options_is_matched(o) ? p->material[0].k[a] / p->material[0].k[0] : 1;
+    s.order = o->order > 2 ? o->order : 2;
+    if (e->method->scheme && !particles_resolve(p, o, e->method->scheme, &resolved, &ignored)) s.h = resolved.h;
+    if (o->h_iso) s.h = isotropic_h(s);
+    if (strcmp(e->method->name, "brookshaw") == 0) s.eta = 0.1 * s.h;
+    fill(&s);
+    return s;
 }

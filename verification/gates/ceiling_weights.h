@@ -2,38 +2,45 @@
 #ifndef HEATLADDER_VERIFICATION_GATES_CEILING_WEIGHTS_H
 #define HEATLADDER_VERIFICATION_GATES_CEILING_WEIGHTS_H
 
-/* Weights of the methods on a lattice of spacing 1, for the predicted errors of ceiling.h. */
+/* Weights of the methods on a lattice of spacing 1, in units of kappa_x, for the ceilings. */
 
 #include "verification/solve/experiment.h"
 
-enum { CEILING_WEIGHTS_REACH = 10, CEILING_WEIGHTS_WIDE = 2 * CEILING_WEIGHTS_REACH + 1 };
+enum { CEILING_REACH = 10, CEILING_WIDE = 2 * CEILING_REACH + 1 };
 
-struct ceiling_weights {
-    int dim, reach;                                                             /* weights beyond the reach are 0 */
-    double w[CEILING_WEIGHTS_WIDE][CEILING_WEIGHTS_WIDE][CEILING_WEIGHTS_WIDE]; /* [z][y][x], offset + reach */
+enum ceiling_family {
+    UNKNOWN,
+    LEAST_SQUARES,
+    PAIRS,
+    CURVATURE,
+    TWICE_VALUE,
+    TWICE_SLOPE,
+    DIFFERENCE,
+    DIFFERENCE_TWICE
 };
 
-enum ceiling_family { LEAST_SQUARES, PAIRS, CURVATURE, TWICE_VALUE, TWICE_SLOPE, DIFFERENCE, DIFFERENCE_TWICE };
-
-struct ceiling_weights_case {
+struct ceiling_weights {
     enum ceiling_family family;
     enum kernel_name kernel;
     int dim, order;
-    double h;              /* h/dx */
-    double ratio[DIM_MAX]; /* kappa of each axis over kappa_x */
-    double eta;            /* eta in -W' r/(r^2 + eta^2), in units of dx */
+    double h;                                           /* h/dx; 0 for finite differences */
+    double ratio[DIM_MAX];                              /* kappa of each axis over kappa_x */
+    double eta;                                         /* eta in -W' r/(r^2 + eta^2), in units of dx */
+    int reach;                                          /* weights beyond it are 0 */
+    double w[CEILING_WIDE][CEILING_WIDE][CEILING_WIDE]; /* [z][y][x], offset + CEILING_REACH */
+    double blind; /* first derivatives applied twice: diffusivity of the envelope of (-1)^i over kappa; else 0 */
 };
 
-struct ceiling_weights_case ceiling_weights_case(const struct experiment *e);
+/* The weights of e->method.  A method that has no row in the table of families has NAN for all of them, and so no
+ * ceiling. */
+struct ceiling_weights ceiling_weights(const struct experiment *e);
 
-/* The weights in units of kappa_x; *blind: diffusivity of the envelope of (-1)^i over kappa for first derivatives
- * applied twice, else 0. */
-void ceiling_weights_of(const struct ceiling_weights_case *c, struct ceiling_weights *s, double *blind);
-
-/* sum w x^a y^b z^c */
+/* sum w x^a y^b z^c; sum w (u.x)^n; the sum of |w| of the neighbours. */
 double ceiling_weights_moment(const struct ceiling_weights *s, int a, int b, int c);
+double ceiling_weights_along(const struct ceiling_weights *s, const double u[DIM_MAX], int n);
+double ceiling_weights_row(const struct ceiling_weights *s);
 
 /* The weight of a pair at distance r, up to a factor. */
-double ceiling_weights_radial(const struct ceiling_weights_case *c, double r);
+double ceiling_weights_radial(const struct ceiling_weights *s, double r);
 
 #endif

@@ -43,8 +43,8 @@ static void braces_expand_to_gates(void **state) {
     assert_string_equal(g.result[0].gate.id, "lattice/so_ssph");
     assert_string_equal(g.result[1].gate.command, "ladder rod-cosine ftcs --dx 1/20,1/40,1/80,1/160,1/320");
     assert_order(g.result[0].gate.ceiling, >, 1.1 * g.result[1].gate.ceiling);
-    assert_string_equal(g.result[2].gate.id, "rod-step/so_ssph/midway");
-    assert_has(g.result[2].gate.command, "ladder rod-step so_ssph --h 1.05 --dx");
+    assert_string_equal(g.result[3].gate.id, "rod-step/so_ssph/midway");
+    assert_has(g.result[3].gate.command, "ladder rod-step so_ssph --h 1.05 --dx");
     gates_free(&g);
 }
 
