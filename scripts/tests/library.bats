@@ -109,3 +109,12 @@ END
     HEATLADDER=$program HEATLADDER_LIBRARY=$built/libheatladder.so PYTHONPATH=$tree/scripts/python \
         PYTHONDONTWRITEBYTECODE=1 "$python" -m pytest -q -p no:cacheprovider "$tree/scripts/python/tests/test_library.py"
 }
+
+@test "pip installs the package from a checkout" {
+    python=$("$tree/scripts/interpreter" wheel)
+    [ "$built" = "$tree/build" ] && [ -n "$python" ] && "$python" -m venv --system-site-packages venv ||
+        skip "no build in build/, or no wheel and venv (Debian: python3-wheel, python3-venv)"
+    env -u HEATLADDER venv/bin/pip install -q --no-build-isolation --no-index "$tree/scripts/python"
+    env -u HEATLADDER -u HEATLADDER_LIBRARY venv/bin/python -c 'import heatladder; print(len(heatladder.scenes()))' >count
+    [ "$(cat count)" -ge 24 ]
+}

@@ -64,10 +64,10 @@ def assemble(nodes, triangles, rho_c, k, source, kind, value, b):
 
 def solve(case):
     """Nodes (n x 2) and T at the end time (n)."""
-    if case["dim"] != "2" or "shape" not in case:
+    if case.dim != 2 or "shape" not in case:
         raise heatladder.NotApplicable
-    hole, radius = float(case.get("r1", 0)), float(case.get("r2", case.get("radius", 1)))
-    dx = float(case["dx"])
+    hole, radius = case.get("r1", 0), case.get("r2", case.get("radius", 1))
+    dx = case.dx
     nodes, triangles = make_mesh(hole, radius, dx)
     at = heatladder.reference(case, nodes, "initial,source,rho_c,k_x,wall")
     T, rho_c, k, kind, value = at["initial"], at["rho_c"], at["k_x"], at["wall_kind"], at["wall_value"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -15,14 +16,10 @@ from pathlib import Path
 from typing import Any, Callable, Dict, List, NoReturn, Optional, Sequence, Tuple, Union
 
 from .library import HeatladderError, exact, solve
+from .points import columns_of, numbers_of, numpy, rows_of, shaped
 
-try:
-    import numpy
-except ImportError:
-    numpy = None  # type: ignore[assignment]
-
-__all__ = ["Case", "HeatladderError", "NotApplicable", "Verdict", "case", "exact", "program", "reference", "run", "solve",
-           "solve_case", "verify"]
+__all__ = ["Case", "HeatladderError", "NotApplicable", "Verdict", "case", "exact", "gates", "program", "reference", "run",
+           "scenes", "solve", "solve_case", "verify"]
 __version__ = "4.0.0"
 
 NOT_APPLICABLE = 77  # exit status of a program for a case that it does not support
@@ -35,16 +32,28 @@ class NotApplicable(Exception):
     """Raised by `solve` for a case that it does not support: its rows are skipped."""
 
 
-class Case(Dict[str, str]):
-    """A case file: keys and values as text; properties give the usual ones as numbers."""
+def _value(text: str) -> Any:
+    """A number, a list of numbers, or the text."""
+    try:
+        found = [int(word) if re.fullmatch(r"\s*[-+]?\d+\s*", word) else float(word) for word in text.split(",")]
+    except ValueError:
+        return text
+    return found if len(found) > 1 else found[0]
+
+
+class Case(Dict[str, Any]):
+    """A case file.  case["k_x"] and case.k_x are numbers, lists of numbers, or words; the properties below are lists with
+    one number for each axis, on a rod too."""
+
+    def __getattr__(self, key: str) -> Any:
+        try:
+            return self[key]
+        except KeyError:
+            raise AttributeError(f"the case has no {key}") from None
 
     def numbers(self, key: str) -> List[float]:
-        return [float(word) for word in self[key].split(",")]
-
-    @property
-    def dim(self) -> int:
-        """1 for a rod, 2 for a rectangle."""
-        return int(self["dim"])
+        found = self[key]
+        return list(found) if isinstance(found, list) else [found]
 
     @property
     def lo(self) -> List[float]:
@@ -59,17 +68,12 @@ class Case(Dict[str, str]):
     @property
     def cells(self) -> List[int]:
         """The number of cells along each axis."""
-        return [int(word) for word in self["cells"].split(",")]
+        return [int(n) for n in self.numbers("cells")]
 
     @property
     def width(self) -> List[float]:
         """The width of a cell along each axis, m."""
         return [(hi - lo) / n for lo, hi, n in zip(self.lo, self.hi, self.cells)]
-
-    @property
-    def t_end(self) -> float:
-        """The end time, s."""
-        return float(self["t_end"])
 
 
 def program() -> str:
@@ -81,38 +85,48 @@ def program() -> str:
     return found
 
 
+def scenes() -> Dict[str, str]:
+    """The scenes: name and what it is."""
+    lines = _listing("scenes")
+    return dict(line.split(": ", 1) for line in lines if line and line[0] != " ")
+
+
+def gates(order: int = 2) -> Dict[str, str]:
+    """The rows of the battery for a code of that order: name and what each detects."""
+    listed = _listing("battery")
+    rows = [row.split(None, 2) for row in (listed[1:listed.index("")] if "" in listed else listed[1:])]
+    return {name: detects for name, of, detects in rows if (of == "4") == (order == 4)}
+
+
+def _listing(topic: str) -> List[str]:
+    return subprocess.run([program(), "list", topic], stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()
+
+
 def case(path: Union[str, "os.PathLike[str]"]) -> Case:
     """Reads a case file."""
     pairs = (line.rstrip("\n").split(" = ", 1) for line in open(path, encoding="utf-8"))
-    return Case(pair for pair in pairs if len(pair) == 2)
-
-
-def _rows(points: Any) -> List[List[float]]:
-    """Points as rows: a list of numbers is a list of points on a rod."""
-    return [[float(x) for x in row] if hasattr(row, "__len__") else [float(row)] for row in points]
-
-
-def _columns(lines: Sequence[str]) -> List[Any]:
-    rows = [[float(word) for word in line.split(",")] for line in lines]
-    return [numpy.array(column) if numpy else list(column) for column in zip(*rows)]
+    return Case((pair[0], _value(pair[1])) for pair in pairs if len(pair) == 2)
 
 
 def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
-              width: Optional[Sequence[float]] = None) -> Dict[str, Any]:
-    """Evaluates a scene at points: a dictionary of arrays by column name, one value per point.
+              width: Optional[Sequence[Any]] = None) -> Dict[str, Any]:
+    """Evaluates a scene at points: a dictionary of arrays by column name, each of the shape of the points.
 
     scene   a case, or the words of `heatladder reference`: "rod-gauss --set kappa=0.02"
-    points  (n,) on a rod, (n, 2) in the plane, (n, 3) in space, m
+    points  (..., dim), m; on a rod also a number or (n,), so that with words one point of the plane is [(x, y)]
     what    columns separated by commas: temperature, initial_mean, source, k_x, rho_c, wall_x, ...
     time    s
-    width   of the cell about each point, m, by axis: for means over cells (initial_mean)
+    width   of the cell around each point, m, by axis: numbers, or arrays of the shape of the points; for initial_mean
     """
-    rows = _rows(points)
-    if not rows:
+    rows, shape = rows_of(points, scene["dim"] if isinstance(scene, Case) else None)
+    if not len(rows):
         raise ValueError("reference: no points")
-    dim, cell = len(rows[0]), [] if width is None else [float(w) for w in width]
-    header = ["x", "y", "z"][:dim] + ["dx", "dy", "dz"][:len(cell)]
-    table = "\n".join(",".join(repr(x) for x in row + cell) for row in rows)
+    dim, cells = len(rows[0]), columns_of(width, len(rows))
+    if cells and len(cells) != dim:
+        raise ValueError(f"width has {len(cells)} numbers, one for each of {dim} axes is wanted")
+    header = ["x", "y", "z"][:dim] + ["dx", "dy", "dz"][:len(cells)]
+    table = "\n".join(",".join(repr(float(x)) for x in [*row, *(column[i] for column in cells)])
+                      for i, row in enumerate(rows))
     words = scene["oracle"] if isinstance(scene, Case) else scene
     answer = subprocess.run(
         [program(), "reference", *words.split(), "--points", "-", "--time", repr(float(time)), "--what", what],
@@ -120,28 +134,33 @@ def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
     if answer.returncode:
         raise HeatladderError(answer.stderr.strip())
     lines = answer.stdout.splitlines()
-    return dict(list(zip(lines[0].split(","), _columns(lines[1:])))[dim:])
+    names = lines[0].split(",")
+    if names[:dim] != header[:dim]:
+        raise ValueError(f"points are (n, {dim}), the scene has {' '.join(n for n in names if n in ('x', 'y', 'z'))} alone")
+    columns = zip(*([float(word) for word in line.split(",")] for line in lines[1:]))
+    return {name: shaped(column, shape) for name, column in list(zip(names, columns))[dim:]}
 
 
-def _write(points: Any, T: Any, out: str) -> None:
+def _write(case: Case, points: Any, T: Any, out: str) -> None:
     """Writes an answer as text, or as NumPy's .npy if it is long."""
-    if len(points) != len(T):
-        raise ValueError(f"solve returned {len(points)} points and {len(T)} temperatures")
-    if numpy and len(T) >= LONG:
+    (rows, _), values = rows_of(points, case["dim"]), numbers_of(T)
+    if len(rows) != len(values):
+        raise ValueError(f"solve returned {len(rows)} points and {len(values)} temperatures")
+    if numpy and len(values) >= LONG:
         with open(out, "wb") as f:
-            numpy.save(f, numpy.column_stack([numpy.asarray(points, float), numpy.asarray(T, float)]))
+            numpy.save(f, numpy.ascontiguousarray(numpy.column_stack([rows, values])))
         return
-    rows = _rows(points)
     with open(out, "w", encoding="utf-8") as f:
-        print(",".join(["x", "y", "z"][:len(rows[0])] + ["T"]), file=f)
-        for row, value in zip(rows, T):
-            print(*row, float(value), sep=",", file=f)
+        print(",".join(["x", "y", "z"][:case["dim"]] + ["T"]), file=f)
+        for row, value in zip(rows, values):
+            print(*(float(x) for x in row), float(value), sep=",", file=f)
 
 
 def solve_case(solve: Solve, case_path: str, out: str) -> int:
     """Runs `solve` on a case file and writes its answer; returns the exit status of a program."""
     try:
-        _write(*solve(case(case_path)), out)
+        given = case(case_path)
+        _write(given, *solve(given), out)
     except NotApplicable:
         return NOT_APPLICABLE
     except Exception:

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import ctypes
+import difflib
 import os
 from ctypes import POINTER, Structure, byref, c_char, c_char_p, c_double, c_int, c_longlong, c_size_t, c_ulong, c_void_p
 from functools import lru_cache
+from numbers import Integral, Real
 from pathlib import Path
-from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+from typing import Any, List, Mapping, Optional, Tuple, Union
+
+from .points import numpy, rows_of
 
 
 class HeatladderError(RuntimeError):
@@ -65,10 +69,28 @@ def _library() -> ctypes.CDLL:
     return h
 
 
+def _number(name: str, value: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise HeatladderError(f"{name} = {value!r}: must be a number")
+    return float(value)
+
+
+def _word(name: str, value: Any) -> bytes:
+    if not isinstance(value, str):
+        raise HeatladderError(f"{name} = {value!r}: must be a word")
+    return value.encode()
+
+
+def _whole(name: str, value: Any, least: int, most: int) -> int:
+    if isinstance(value, bool) or not isinstance(value, Integral) or not least <= value <= most:
+        raise HeatladderError(f"{name} = {value!r}: must be a whole number from {least} to {most}")
+    return int(value)
+
+
 def _value(scene: bytes, name: str, value: Union[float, str]) -> float:
     """A number, or the index of a word among the choices of the parameter."""
     if not isinstance(value, str):
-        return float(value)
+        return _number(name, value)
     parameter, i, words = _Parameter(), 0, []  # type: _Parameter, int, List[str]
     while _library().hl_parameter(scene, i, byref(parameter)):
         i += 1
@@ -84,7 +106,7 @@ class _Problem:
     """A scene at given parameters, released at the end of a `with`."""
 
     def __init__(self, scene: str, parameters: Mapping[str, Union[float, str]]) -> None:
-        name, why = scene.encode(), _Error()
+        name, why = _word("scene", scene), _Error()
         settings = [_Setting(key.encode(), _value(name, key, value)) for key, value in parameters.items()]
         array = (_Setting * (len(settings) + 1))(*settings)
         self.address = _library().hl_problem_create(name, array, byref(why))
@@ -111,23 +133,40 @@ def _check(status: int, why: _Error) -> None:
 def exact(scene: str, points: Any, t: float, bound: bool = False, **parameters: Union[float, str]) -> Any:
     """Exact temperatures of a scene at points and a time: an array, K.
 
-    points      (n,) on a rod, (n, 2) in the plane, (n, 3) in space, m
+    points      (..., dim), m; on a rod also a number or (n,).  T has that shape without the last axis
     t           s
     bound       True: a pair of arrays, temperatures and bounds of their error
     parameters  of the scene, as in `heatladder list scenes`: kappa=0.02
     """
-    import numpy
-    at = numpy.asarray(points, float)
+    _need_numpy()
     with _Problem(scene, parameters) as problem:
-        dim = problem.box().dim
-        if dim > 1 and at.shape[-1:] != (dim,):
-            raise ValueError(f"{scene} is in {'the plane' if dim == 2 else 'space'}: points are (n, {dim})")
-        columns = [numpy.ascontiguousarray(at[..., axis] if dim > 1 else at) for axis in range(dim)]
-        T, error, why = numpy.empty(columns[0].shape), numpy.empty(columns[0].shape), _Error()
-        places = [column.ctypes.data for column in columns] + [None] * (3 - dim)
-        _check(_library().hl_exact_at(problem.address, t, T.size, *places, T.ctypes.data, error.ctypes.data,
-                                      byref(why)), why)
+        rows, shape = rows_of(points, problem.box().dim)
+        columns = [numpy.ascontiguousarray(column) for column in rows.T]
+        T, error, why = numpy.empty(shape), numpy.empty(shape), _Error()
+        places = [column.ctypes.data for column in columns] + [None] * (3 - len(columns))
+        _check(_library().hl_exact_at(problem.address, _number("t", t), T.size, *places, T.ctypes.data,
+                                      error.ctypes.data, byref(why)), why)
     return (T, error) if bound else T
+
+
+def _need_numpy() -> None:
+    if numpy is None:
+        raise HeatladderError("exact and solve need NumPy")
+
+
+def _options(dx: Any, options: Mapping[str, Any]) -> _Options:
+    """The options of a run, each of its type."""
+    types = dict(_Options._fields_)
+    found = _Options(dx=_number("dx", dx))
+    for name, value in options.items():
+        if name not in types or name == "dx":
+            near = difflib.get_close_matches(name, types, 1)
+            raise HeatladderError(f"unknown option '{name}'" + (f"; did you mean '{near[0]}'?" if near else "")
+                                  + f" (valid: {', '.join(types)})")
+        kind = types[name]
+        setattr(found, name, _word(name, value) if kind is c_char_p else
+                _number(name, value) if kind is c_double else _whole(name, value, 0, 2 ** (31 if kind is c_int else 63) - 1))
+    return found
 
 
 def solve(scene: str, method: str, dx: float, parameters: Optional[Mapping[str, Union[float, str]]] = None,
@@ -136,16 +175,10 @@ def solve(scene: str, method: str, dx: float, parameters: Optional[Mapping[str, 
 
     options  of the method: stepper="rk2", dt=0.01, kernel="wendland", h=1.3, layout="jitter", jitter=0.2, seed=3, ...
     """
-    import numpy
-    given: Dict[str, Any] = {key: value.encode() if isinstance(value, str) else value
-                             for key, value in options.items()}
-    unknown = given.keys() - {key for key, *_ in _Options._fields_}
-    if unknown:
-        raise HeatladderError(f"no option '{min(unknown)}'")
-    found, why = _Field(), _Error()
+    _need_numpy()
+    found, why, given = _Field(), _Error(), _options(dx, options)
     with _Problem(scene, parameters or {}) as problem:
-        _check(_library().hl_solve(problem.address, method.encode(), byref(_Options(dx=dx, **given)), byref(found),
-                                   byref(why)), why)
+        _check(_library().hl_solve(problem.address, _word("method", method), byref(given), byref(found), byref(why)), why)
     *places, T = [numpy.ctypeslib.as_array(column, (found.n,)).copy() for column in
                   (found.x, found.y, found.z, found.T) if column]
     _library().hl_field_free(byref(found))

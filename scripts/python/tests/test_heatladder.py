@@ -20,7 +20,7 @@ import math
 import heatladder
 
 def solve(case, factor=1.0):
-    if case.dim != 1 or case["materials"] != "1" or case["source"] != "no":
+    if case.dim != 1 or case.materials != 1 or case.source != "no":
         raise heatladder.NotApplicable
     (lo,), (hi,), (n,), (dx,) = case.lo, case.hi, case.cells, case.width
     x = [lo + (i + 0.5) * dx for i in range(n)]
@@ -118,9 +118,82 @@ def test_a_refusal_is_an_error_with_the_programs_words():
 
 def test_case_reads_numbers_and_text(tmp_path):
     path = tmp_path / "case"
-    path.write_text("dim = 2\nlo = 0, 1\nhi = 2, 4\ncells = 4, 3\nt_end = 5\nsource = no\n")
+    path.write_text("dim = 2\nlo = 0, 1\nhi = 2, 4\ncells = 4, 3\nt_end = 5\nk_x = 1e-2\nmap = y,-x\nsource = no\n")
     case = heatladder.case(path)
-    assert (case.dim, case.width, case.t_end, case["source"]) == (2, [0.5, 1.0], 5.0, "no")
+    assert (case.dim, case.width, case.t_end, case.source, case.map) == (2, [0.5, 1.0], 5, "no", "y,-x")
+    assert (case["dim"], case["lo"], case["k_x"], case.k_x) == (2, [0, 1], 0.01, 0.01)
+    path.write_text("dim = 1\nlo = -2\nhi = 2\ncells = 8\n")
+    case = heatladder.case(path)
+    assert (case["lo"], case.lo, case.cells, case.width) == (-2, [-2], [8], [0.5])
+    with pytest.raises(AttributeError, match="no k_y"):
+        case.k_y
+
+
+def test_scenes_and_gates_are_listed():
+    assert heatladder.scenes()["rod-gauss"].startswith("a Gaussian")
+    assert len(heatladder.scenes()) >= 24 and "conductivity" in heatladder.gates()["smooth/gauss"]
+
+
+CASES = {1: "rod-gauss", 2: "square-step", 3: "cube-step"}
+
+# Points of each shape, by dimension: the shape of T, or an error.
+SHAPES = [
+    (1, (), ()), (1, (5,), (5,)), (1, (5, 1), (5,)), (1, (5, 2), None), (1, (2, 3, 1), (2, 3)),
+    (2, (2,), ()), (2, (5, 2), (5,)), (2, (5,), None), (2, (5, 3), None), (2, (4, 3, 2), (4, 3)),
+    (3, (5, 3), (5,)), (3, (5, 2), None), (3, (4, 3, 2, 3), (4, 3, 2)), (3, (5, 4), None), (3, (), None),
+]
+
+
+@pytest.mark.parametrize("dim, shape, due", SHAPES)
+@pytest.mark.parametrize("call", ["exact", "reference", "words", "answer"])
+def test_one_rule_for_points(call, dim, shape, due, tmp_path):
+    numpy = pytest.importorskip("numpy")
+    points = numpy.random.default_rng(3).uniform(-0.4, 0.4, shape)
+    case = heatladder.Case(dim=dim, oracle=CASES[dim])
+    if call == "words" and dim > 1 and len(shape) == 1:
+        pytest.skip("read as points of a rod")
+    if call == "exact" and not os.environ.get("HEATLADDER_LIBRARY"):
+        pytest.skip("no library is given")
+
+    def evaluate():
+        if call == "exact":
+            return heatladder.exact(CASES[dim], points, 1.0)
+        if call == "answer":
+            T = numpy.zeros(shape[:-1] if dim > 1 or len(shape) > 1 else shape)
+            heatladder._write(case, points, T, str(tmp_path / "out"))
+            return numpy.zeros(due)
+        return heatladder.reference(case if call == "reference" else CASES[dim], points, "temperature", 1)["temperature"]
+    if due is None:
+        with pytest.raises((ValueError, heatladder.HeatladderError), match="points|column"):
+            evaluate()
+        return
+    assert evaluate().shape == due
+
+
+@pytest.mark.parametrize("n", [10, 20000])
+def test_answers_are_in_c_order_and_complete(n, tmp_path):
+    numpy = pytest.importorskip("numpy")
+    case, out = heatladder.Case(dim=3), tmp_path / "out"
+    x, y, z = (numpy.linspace(0, a, n) for a in (1, 2, 3))
+    heatladder._write(case, numpy.array([x, y, z]).T, x, str(out))
+    table = numpy.load(out) if n > heatladder.LONG else numpy.loadtxt(out, delimiter=",", skiprows=1)
+    assert table.flags.c_contiguous and (table == numpy.column_stack([x, y, z, x])).all()
+    masked = numpy.ma.masked_greater(x, 0.5)
+    for points, T, wanted in ((numpy.array([x, y, z]).T, masked, "masked"),
+                              (numpy.ma.masked_greater(numpy.array([x, y, z]).T, 0.5), x, "masked"),
+                              (numpy.array([x, y, z, x]).T, x, "shape"), (numpy.array([x, y, z]).T, x[1:], "temperatures")):
+        with pytest.raises(ValueError, match=wanted):
+            heatladder._write(case, points, T, str(out))
+    with pytest.raises(TypeError, match="real numbers"):
+        heatladder._write(case, numpy.array([x, y, z]).T, x + 1j, str(out))
+
+
+def test_reference_takes_a_width_for_each_point():
+    numpy = pytest.importorskip("numpy")
+    found = heatladder.reference("rod-step", [0.5, 0.5], "initial_mean", width=[numpy.array([0.2, 0.1])])
+    assert list(found["initial_mean"]) == pytest.approx([5, 5])
+    with pytest.raises(ValueError, match="width"):
+        heatladder.reference("rod-step", [0.5, 0.5], "initial_mean", width=[0.1, 0.1])
 
 
 def test_verify_holds_a_right_code_in_this_process(mine):
@@ -159,8 +232,21 @@ def test_pytest_shows_the_diagnosis_of_a_row_that_fails(mine):
 
 
 def test_pytest_skips_what_the_code_is_not_for(mine):
-    run = plugin("-rs", "--heatladder", "mine:solve", "--heatladder-options", "--only 'contact/*'")
+    words = ["-rs", "--heatladder", "mine:solve", "--heatladder-options", "--only 'contact/*'"]
+    run = plugin(*words)
     assert " skipped in " in run.stdout and "passed" not in run.stdout and "failed" not in run.stdout, run.stdout
+    assert run.returncode == 1 and "every row was skipped" in run.stdout
+    assert plugin(*words, "--heatladder-allow-skips").returncode == 0
+
+
+def test_pytest_selects_rows_before_any_runs(mine, tmp_path):
+    (tmp_path / "mine.py").write_text(SOLVER.replace("def solve(case, factor=1.0):", """def solve(case, factor=1.0):
+    print(case.oracle.split()[0], file=open("runs.txt", "a"))"""))
+    run = plugin("-k", "insulated", "--heatladder", "mine:solve", "--heatladder-options", "--only 'walls/*'")
+    assert run.returncode == 0 and "1 passed, 1 deselected" in run.stdout, run.stdout
+    assert set(Path("runs.txt").read_text().split()) == {"rod-cosine"}
+    run = plugin("-k", "nothing", "--heatladder", "mine:crashes")
+    assert "deselected" in run.stdout and "failed" not in run.stdout, run.stdout
 
 
 def test_readme_names_what_is_there():

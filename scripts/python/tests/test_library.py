@@ -59,7 +59,7 @@ def test_solve_converges_to_exact():
     assert math.log2(errors[0] / errors[1]) == pytest.approx(2, abs=0.1)
     points, T = heatladder.solve("plate", "ftcs", 0.01, {"t_end": 3}, stepper="euler")
     assert points.shape == (100, 2) and T.shape == (100,)
-    with pytest.raises(heatladder.HeatladderError, match="no option 'kernle'"):
+    with pytest.raises(heatladder.HeatladderError, match="unknown option 'kernle'; did you mean 'kernel'"):
         heatladder.solve("plate", "so_ssph", 0.01, kernle="cubic")
 
 
@@ -68,6 +68,47 @@ def test_solve_converges_to_exact():
 def test_a_refusal_is_an_error_with_the_librarys_words(words, match):
     with pytest.raises(heatladder.HeatladderError, match=match):
         heatladder.exact(*words)
+
+
+GAUSS, STEP = ("rod-gauss", 0.0, 1), ("rod-step", "so_ssph", 0.1)
+
+# Each argument of exact and solve: of a wrong type, NaN, negative, unknown.
+BAD = [
+    ("exact", (None, 0.0, 1), {}, "scene = None: must be a word"),
+    ("exact", ("rod-gaus", 0.0, 1), {}, "unknown scene 'rod-gaus'; did you mean 'rod-gauss'"),
+    ("exact", ("rod-gauss", 0.0, math.nan), {}, "t = nan"),
+    ("exact", ("rod-gauss", 0.0, "1"), {}, "t = '1': must be a number"),
+    ("exact", ("rod-gauss", math.nan, 1), {}, "x = nan m is outside"),
+    ("exact", GAUSS, {"kapa": 1}, "unknown parameter of rod-gauss 'kapa'; did you mean 'kappa'"),
+    ("exact", GAUSS, {"kappa": -1}, "kappa=-1"),
+    ("exact", GAUSS, {"kappa": None}, "kappa = None: must be a number"),
+    ("exact", GAUSS, {"kappa": "0.1"}, "must be a number"),
+    ("solve", (3, "so_ssph", 0.1), {}, "scene = 3: must be a word"),
+    ("solve", ("rod-step", 3, 0.1), {}, "method = 3: must be a word"),
+    ("solve", ("rod-step", "so_sph", 0.1), {}, "did you mean 'so_ssph'"),
+    ("solve", ("rod-step", "so_ssph", "0.1"), {}, "dx = '0.1': must be a number"),
+    ("solve", ("rod-step", "so_ssph", math.nan), {}, "--dx nan"),
+    ("solve", STEP, {"kernel": 3}, "kernel = 3: must be a word"),
+    ("solve", STEP, {"kernel": "cubicc"}, "did you mean 'cubic'"),
+    ("solve", STEP, {"dt": "0.1"}, "dt = '0.1': must be a number"),
+    ("solve", STEP, {"dt": -1}, "--dt -1"),
+    ("solve", STEP, {"dt": math.nan}, "--dt nan"),
+    ("solve", STEP, {"fourier": -0.3}, "--fourier -0.3"),
+    ("solve", STEP, {"dt": 0.1, "fourier": 0.1}, "exclude each other"),
+    ("solve", STEP, {"jitter": 0.2}, "do not move"),
+    ("solve", STEP, {"order": 2.5}, "order = 2.5: must be a whole number"),
+    ("solve", STEP, {"order": 7}, "--order 7"),
+    ("solve", STEP, {"seed": -1}, "seed = -1: must be a whole number"),
+    ("solve", STEP, {"seed": True}, "seed = True"),
+    ("solve", STEP, {"parameters": {"kappa": math.inf}}, "kappa=inf"),
+]
+
+
+@pytest.mark.parametrize("call, words, options, says", BAD)
+def test_bad_arguments_are_named(call, words, options, says):
+    with pytest.raises(heatladder.HeatladderError) as error:
+        getattr(heatladder, call)(*words, **options)
+    assert says in str(error.value)
 
 
 def test_threads_get_the_same_numbers():
