@@ -35,6 +35,7 @@ struct field { /* arrays are owned; release with field_free */
     double range[2];         /* K, minimum and maximum of the sampled initial data */
     double data[2];          /* K: range of initial data, walls and incoming heat; 0, 0 if unknown */
     double bound;            /* s^-1: upper bound of the operator's spectrum; 0 if unknown */
+    double time_error; /* K: mean of |T| that the time steps have changed, from the last of them; 0 if unknown */
     struct cost cost;
 };
 

@@ -74,7 +74,7 @@ static void count(const struct ftcs_grid *g, struct field *f) {
     const int pieces = o->sampling == SAMPLING_SPLINE ? 4 : 1, nodes = o->sampling == SAMPLING_POINT ? 1 : 4 * pieces;
     struct cost *c = &f->cost;
     f->time = g->p->t_end, f->dt = g->dt, f->steps = g->steps, f->stages = g->stages;
-    f->applications = g->applications;
+    f->applications = g->applications, f->time_error = g->time_error;
     f->range[0] = g->range[0], f->range[1] = g->range[1];
     for (int a = 0; a < f->dim; a++) f->spacing[a] = g->round ? g->d[0] : g->d[a];
     c->updates = g->applications * (long long)f->n;

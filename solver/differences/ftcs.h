@@ -56,6 +56,8 @@ struct ftcs_grid {
     double range[2];          /* K, of the sampled initial data */
     double data[2], inflow;   /* K: range of initial data and walls; possible effect of source and fluxes */
     double middle, bound;     /* K: a stable solution stays within middle +- bound */
+    double *before;           /* K: dt f at the start of the last step but one */
+    double time_error;        /* K, as in struct field */
     double *T, *state[3];     /* K; `state` as the stepper needs */
     double *row;              /* scratch, n[0] */
     double *heating;          /* K s^-1, G / rho_c, by cell without ghosts; NULL without a source */

@@ -192,8 +192,8 @@ void ftcs_free(struct ftcs_grid *g, int keep_T) {
     ftcs_round_free(g);
     g->held = g->size;
     for (int s = 0; s < SIDES; s++) free(g->side[s].sign), g->side[s].sign = g->side[s].offset = NULL;
-    double **spent[] = {&g->C[0],     &g->C[1],     &g->C[2], &g->weight,  &g->law,        &g->state[0],
-                        &g->state[1], &g->state[2], &g->row,  &g->heating, &g->warming[0], &g->warming[1]};
+    double **spent[] = {&g->C[0],     &g->C[1],   &g->C[2], &g->weight,  &g->law,        &g->state[0],  &g->state[1],
+                        &g->state[2], &g->before, &g->row,  &g->heating, &g->warming[0], &g->warming[1]};
     for (size_t k = 0; k < sizeof spent / sizeof *spent; k++) free(*spent[k]), *spent[k] = NULL;
     if (!keep_T) free(g->T);
 }
