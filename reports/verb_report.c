@@ -68,15 +68,21 @@ static int write_studies(const char *name, const char *dir, struct failure *why)
 
 struct report_options {
     struct command command;
-    char *only; /* owned: globs of claims; NULL: all */
-    int json;
+    char *only;            /* owned: globs of claims; NULL: all */
+    const char *json_path; /* NULL for none */
 };
 
 static int measure_claims(const struct report_options *r, const char *dir, struct claims *c, struct failure *why) {
     if (dir && output_directory(dir, "claims.md", why)) return why->status;
+    if (output_check(r->json_path, why)) return why->status;
     if (claims_collect(papers_claims, r->only, c, why)) return why->status;
     claims_run(c);
-    (r->json ? claims_write_json : dir ? claims_write_changed : claims_write_text)(c, stdout);
+    (dir ? claims_write_changed : claims_write_text)(c, stdout);
+    if (r->json_path) {
+        struct output page;
+        claims_write_json(c, output_open(&page, "%s", r->json_path));
+        if (output_close(&page, 1, why)) return why->status;
+    }
     return dir ? claims_write_files(c, dir, why) : STATUS_OK;
 }
 
@@ -104,7 +110,7 @@ static int act(const void *options, struct failure *why) {
         dir = study, study = NULL;
     }
     if (study && strcmp(study, "claims") == 0) return report_claims(r, dir, why);
-    if (r->only || r->json)
+    if (r->only || r->json_path)
         return refuse(why, STATUS_INPUT, "--%s has a meaning for report claims alone", r->only ? "only" : "json");
     return write_studies(study, dir ? dir : "reports/out", why);
 }
@@ -112,7 +118,7 @@ static int act(const void *options, struct failure *why) {
 #define PLACE(member) OPTION_PLACE(report_options, member)
 static const struct option own[] = {{"only", "GLOB[,GLOB...]", "claims: only names that match; may be repeated",
                                      option_globs, PLACE(only), .repeats = 1},
-                                    {"json", NULL, "claims: JSON instead of text", option_flag, PLACE(json)},
+                                    JSON_OPTION(PLACE(json_path), "the claims"),
                                     {0}};
 
 static const struct command_syntax syntax = {"report", "[STUDY] [DIR]", "", "", NULL};

@@ -28,6 +28,14 @@ int verb_options(const struct verb *v, const struct option *list[VERB_ROWS]);
 
 const struct verb *verb_find(const char *name); /* NULL if there is none */
 
+/* The row of --json; its place is a const char *, NULL where it is not given. */
+#define JSON_OPTION(place, ...)                                                                                      \
+    {                                                                                                                \
+        "json", "FILE",                                                                                              \
+            "write " __VA_ARGS__ " as JSON; - for standard output, the text then goes to standard error",            \
+            option_text, place                                                                                       \
+    }
+
 /* Refuses an unknown verb and suggests the nearest one or its replacement. */
 int verb_unknown(const char *name, struct failure *why);
 

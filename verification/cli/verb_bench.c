@@ -17,8 +17,8 @@ static const double SECONDS = 4; /* a scene; all scenes and the charts take a mi
 
 struct bench_options {
     struct command command;
-    const char *scene; /* the one scene; NULL: all */
-    int json;
+    const char *scene;     /* the one scene; NULL: all */
+    const char *json_path; /* NULL for none */
 };
 
 /* The files of one run, kept until all can be written together. */
@@ -39,7 +39,7 @@ static int bench_one(const struct bench_options *given, const struct scene *s, s
     json_object(j, NULL);
     bench_print_scene_json(b, j);
     json_end(j);
-    if (!given->json) bench_print_scene(b, stdout);
+    bench_print_scene(b, stdout);
     fflush(stdout);
     if (given->command.word[0])
         bench_print_data(
@@ -56,7 +56,7 @@ static int bench_scenes(const struct bench_options *r, FILE *out, struct files *
     for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
     if (r->scene && !only) return words_unknown(names, "--scene", r->scene, why);
     bench_print_machine_json(&j);
-    if (!r->json) bench_print_machine(stdout);
+    bench_print_machine(stdout);
     fflush(stdout);
     json_array(&j, "scenes");
     for (int i = 0; scenes[i] && !status; i++)
@@ -66,21 +66,22 @@ static int bench_scenes(const struct bench_options *r, FILE *out, struct files *
     return status;
 }
 
+/* DIR/bench.json, or the file of --json, is the first file. */
 static int bench_all(const struct bench_options *r, struct files *files, struct failure *why) {
+    const char *dir = r->command.word[0];
     struct output *json = &files->file[files->count++];
-    FILE *out = output_open(json, "%s/bench.json", r->command.word[0] ? r->command.word[0] : "");
-    int status = r->command.word[0] ? output_directory(r->command.word[0], "bench.json", why) : STATUS_OK;
-    if (!status) status = bench_scenes(r, out, files, why);
-    output_end(json);
-    if (!status && r->json) fputs(json->text, stdout);
-    return status;
+    FILE *out =
+        r->json_path ? output_open(json, "%s", r->json_path) : output_open(json, "%s/bench.json", dir ? dir : "");
+    int status = dir ? output_directory(dir, "bench.json", why) : STATUS_OK;
+    if (!status) status = output_check(r->json_path, why);
+    return status ? status : bench_scenes(r, out, files, why);
 }
 
 static int act(const void *options, struct failure *why) {
     const struct bench_options *r = options;
     struct files *files = xcalloc(1, sizeof *files);
     int status = bench_all(r, files, why);
-    if (!status && r->command.word[0]) status = output_close(files->file, files->count, why);
+    if (!status && (r->command.word[0] || r->json_path)) status = output_close(files->file, files->count, why);
     output_drop(files->file, files->count);
     free(files);
     return status;
@@ -88,7 +89,7 @@ static int act(const void *options, struct failure *why) {
 
 #define PLACE(member) OPTION_PLACE(bench_options, member)
 static const struct option own[] = {{"scene", "SCENE", "run only this scene", option_text, PLACE(scene)},
-                                    {"json", NULL, "JSON instead of text", option_flag, PLACE(json)},
+                                    JSON_OPTION(PLACE(json_path), "the measurements"),
                                     {0}};
 
 static const struct command_syntax syntax = {"bench", "[DIR]", "", "", NULL};

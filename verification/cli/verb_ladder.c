@@ -23,7 +23,7 @@
 struct ladder_options {
     struct command command;
     const char *junit_path, *page_path; /* NULL for none */
-    int json;
+    const char *json_path;              /* NULL for none */
 };
 
 static void print_text(const struct ladder *l, const struct diagnosis *d) {
@@ -53,11 +53,13 @@ static void print_text(const struct ladder *l, const struct diagnosis *d) {
     printf("diagnosis: %s\n", what);
 }
 
-static void print_json(const struct ladder *l, const struct diagnosis *d) {
-    struct json j = json_on(stdout);
+static int write_json(const struct ladder *l, const struct diagnosis *d, const char *path, struct failure *why) {
+    struct output page;
+    struct json j = json_on(output_open(&page, "%s", path));
     ladder_json(l, &j);
     diagnosis_json(d, &j);
     json_end(&j);
+    return output_close(&page, 1, why);
 }
 
 /* ---- Without a scene ---- */
@@ -99,19 +101,24 @@ static void print_gci(const struct gci *g) {
     printf("\n%s", gci_note);
 }
 
+static int write_gci_json(const struct gci *g, const char *path, struct failure *why) {
+    struct output page;
+    struct json j = json_on(output_open(&page, "%s", path));
+    gci_json(g, &j);
+    json_end(&j);
+    return output_close(&page, 1, why);
+}
+
 /* With --expect the order of the first quantity is judged. */
 static int without_scene(const struct ladder_options *r, struct failure *why) {
     struct gci *g = xcalloc(1, sizeof *g);
     const struct numbers *expect = &r->command.rungs.expect;
-    int status = gci_read(r->command.experiment.program.results, &r->command.experiment.program.columns,
+    int status = output_check(r->json_path, why);
+    if (!status)
+        status = gci_read(r->command.experiment.program.results, &r->command.experiment.program.columns,
                           &r->command.at, g, why);
-    if (!status && r->json) {
-        struct json j = json_on(stdout);
-        gci_json(g, &j);
-        json_end(&j);
-    } else if (!status) {
-        print_gci(g);
-    }
+    if (!status) print_gci(g);
+    if (!status && r->json_path) status = write_gci_json(g, r->json_path, why);
     if (!status && expect->count &&
         verdict_within(g->row[0].order, expect->value[0], expect->value[1]) != VERDICT_PASS)
         status = refuse(why, STATUS_GATE, "the observed order of %s, %.3f, is not within %g to %g", g->row[0].name,
@@ -148,12 +155,13 @@ static int write_junit(const struct ladder_options *r, const struct ladder *l, i
     return junit_write(&one, r->junit_path, why);
 }
 
-/* Writes page and JUnit; a failure to write counts if nothing else failed. */
+/* Writes page, JUnit and JSON; a failure to write counts if nothing else failed. */
 static int write_files(const struct ladder_options *r, const struct ladder *l, const struct diagnosis *d, int status,
                        struct failure *why) {
     struct failure unwritten = {0};
     if (r->page_path) page_ladder_write(l, d, r->command.typed, r->page_path, &unwritten);
     if (r->junit_path && !unwritten.status) write_junit(r, l, status, &unwritten);
+    if (r->json_path && !unwritten.status) write_json(l, d, r->json_path, &unwritten);
     if (status || !unwritten.status) return status;
     *why = unwritten;
     return unwritten.status;
@@ -173,6 +181,7 @@ static int act(const void *options, struct failure *why) {
     struct diagnosis d;
     int status = output_check(r->page_path, why);
     if (!status) status = output_check(r->junit_path, why);
+    if (!status) status = output_check(r->json_path, why);
     if (!status) status = check_finest(&r->command, why);
     struct experiment e = r->command.experiment;
     e.growth = 1;
@@ -181,8 +190,8 @@ static int act(const void *options, struct failure *why) {
     int has_rungs = l->n > 0 && l->rung[l->n - 1].method; /* else the ladder itself was refused */
     for (int i = 0; has_rungs && i < l->n; i++) result_warn(&l->rung[i]);
     if (!status_refused(status) || (l->external && has_rungs)) {
-        (r->json ? print_json : print_text)(l, &d);
-        if (!r->json && l->external) why->text[0] = '\0'; /* the table already shows it */
+        print_text(l, &d);
+        if (l->external) why->text[0] = '\0'; /* the table already shows it */
         status = write_files(r, l, &d, status, why);
     }
     if (!status && is_judged(r) && l->verdict != VERDICT_PASS)
@@ -199,7 +208,7 @@ static const struct option own[] = {
      PLACE(command.rungs.diagnose)},
     {"junit", "FILE", "write the verdict as JUnit XML", option_text, PLACE(junit_path)},
     {"page", "FILE", "write the verdict and its table as an HTML page", option_text, PLACE(page_path)},
-    {"json", NULL, "JSON instead of text", option_flag, PLACE(json)},
+    JSON_OPTION(PLACE(json_path), "the ladder"),
     {0}};
 
 const struct verb verb_ladder = {&command_syntaxes[COMMAND_LADDER], own, sizeof(struct ladder_options),

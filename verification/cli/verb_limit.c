@@ -3,6 +3,7 @@
 #include "verification/cli/verb.h"
 
 #include "verification/text/json.h"
+#include "verification/text/output.h"
 #include "verification/stability/step_limit.h"
 
 #include <math.h>
@@ -10,13 +11,16 @@
 
 struct limit_options {
     struct command command;
-    int json;
+    const char *json_path; /* NULL for none */
 };
 
-static void print_json(const struct model_problem *b, const struct step_limit *l) {
-    struct json j = json_on(stdout);
+static int write_json(const struct model_problem *b, const struct step_limit *l, const char *path,
+                      struct failure *why) {
+    struct output page;
+    struct json j = json_on(output_open(&page, "%s", path));
     step_limit_json(b, l, &j);
     json_end(&j);
+    return output_close(&page, 1, why);
 }
 
 static void print_wave(const double *theta, int dim) {
@@ -78,17 +82,19 @@ static int act(const void *options, struct failure *why) {
     const struct command *c = &r->command;
     struct step_limit l;
     struct model_problem b;
-    int status = step_limit_setup(c->experiment.method, &c->experiment.options, c->dim, c->ratio, c->contact,
+    int status = output_check(r->json_path, why);
+    if (!status)
+        status = step_limit_setup(c->experiment.method, &c->experiment.options, c->dim, c->ratio, c->contact,
                                   c->stages, &b, why);
     if (!status) status = step_limit_predict(&b, &l, why);
     if (!status) status = step_limit_measure(&b, &l.measured, why);
-    if (!status) (r->json ? print_json : print_text)(&b, &l);
-    if (!status && !r->json) print_customary(&b, &l);
-    return status;
+    if (status) return status;
+    print_text(&b, &l);
+    print_customary(&b, &l);
+    return r->json_path ? write_json(&b, &l, r->json_path, why) : STATUS_OK;
 }
 
-static const struct option own[] = {
-    {"json", NULL, "JSON instead of text", option_flag, OPTION_PLACE(limit_options, json)}, {0}};
+static const struct option own[] = {JSON_OPTION(OPTION_PLACE(limit_options, json_path), "the limits"), {0}};
 
 const struct verb verb_limit = {&command_syntaxes[COMMAND_LIMIT], own, sizeof(struct limit_options),
                                 "find the largest stable step: published, by von Neumann's analysis, and by trial",

@@ -6,6 +6,7 @@
 #include "references/scene.h"
 #include "verification/case/answer.h"
 #include "verification/text/json.h"
+#include "verification/text/output.h"
 #include "verification/text/whole_file.h"
 
 #include "solver/method.h"
@@ -17,10 +18,10 @@
 
 struct reference_options {
     struct command command;
-    const char *points; /* file of points, - for standard input; NULL: --at */
-    const char *what;   /* columns; NULL: the temperature */
-    double cell;        /* m */
-    int json;
+    const char *points;    /* file of points, - for standard input; NULL: --at */
+    const char *what;      /* columns; NULL: the temperature */
+    double cell;           /* m */
+    const char *json_path; /* NULL for none */
 };
 
 #define PLACE(member) OPTION_PLACE(reference_options, member)
@@ -31,7 +32,7 @@ static const struct option own[] = {
      PLACE(what)},
     {"dx", "DX", "extent of the cell around each point, m, for initial_mean", option_number, PLACE(cell),
      OPTION_POSITIVE},
-    {"json", NULL, "JSON instead of text", option_flag, PLACE(json)},
+    JSON_OPTION(PLACE(json_path), "the temperature at one point and time"),
     {0}};
 
 /* Both forms at one point. */
@@ -40,8 +41,9 @@ struct forms {
     double published;
 };
 
-static void print_json(const struct reference_options *r, const struct forms *f) {
-    struct json j = json_on(stdout);
+static int write_json(const struct reference_options *r, const struct forms *f, struct failure *why) {
+    struct output page;
+    struct json j = json_on(output_open(&page, "%s", r->json_path));
     json_text(&j, "scene", r->command.experiment.scene->name);
     json_numbers(&j, "at", r->command.at.value, r->command.experiment.problem.dim);
     json_number(&j, "time", r->command.time.value[0]);
@@ -55,6 +57,7 @@ static void print_json(const struct reference_options *r, const struct forms *f)
         json_number(&j, "difference", f->exact.no_value ? NAN : f->published - f->exact.temperature);
     }
     json_end(&j);
+    return output_close(&page, 1, why);
 }
 
 static void print_text(const struct reference_options *r, const struct forms *f) {
@@ -76,7 +79,7 @@ static void print_text(const struct reference_options *r, const struct forms *f)
         printf("  %-12s %.17g K, %+.1e K away\n", "as published", f->published, f->published - f->exact.temperature);
 }
 
-static void print_forms(const struct reference_options *r) {
+static int print_forms(const struct reference_options *r, struct failure *why) {
     const struct scene *s = r->command.experiment.scene;
     const struct problem *p = &r->command.experiment.problem;
     const struct mapping *m = &r->command.experiment.program.map;
@@ -89,7 +92,8 @@ static void print_forms(const struct reference_options *r) {
         if (e == &f.second) break;
     }
     f.published = mapping_temperature(m, f.published);
-    (r->json ? print_json : print_text)(r, &f);
+    print_text(r, &f);
+    return r->json_path ? write_json(r, &f, why) : STATUS_OK;
 }
 
 /* *p: the case's. */
@@ -122,8 +126,9 @@ static int check(const struct reference_options *r, struct failure *why) {
                       "reference needs either --at X[,Y[,Z]] or --points FILE (- for standard input)");
     if (!r->what && c->time.count == 0)
         return refuse(why, STATUS_INPUT, "reference needs --time T[,T...]: when, s; or --what names columns without");
-    if (!r->json || !(r->points || r->what || c->time.count > 1)) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "--json prints the temperature at one point and time (--at, --time); %s is CSV",
+    if (output_check(r->json_path, why)) return why->status;
+    if (!r->json_path || !(r->points || r->what || c->time.count > 1)) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "--json has the temperature at one point and time (--at, --time); %s is CSV",
                   r->points ? "--points"
                   : r->what ? "--what"
                             : "--time T,T,...");
@@ -148,7 +153,7 @@ static int act(const void *options, struct failure *why) {
     if (!status && (r->points || r->what || c->time.count > 1))
         answer_write(&a, stdout);
     else if (!status)
-        print_forms(r);
+        status = print_forms(r, why);
     free(time);
     points_free(&a.points);
     return status;

@@ -14,7 +14,8 @@
 struct run_options {
     struct command command;
     const char *field_path; /* NULL for none */
-    int warm_up, json;
+    int warm_up;
+    const char *json_path; /* NULL for none */
 };
 
 #define PLACE(member) OPTION_PLACE(run_options, member)
@@ -22,7 +23,7 @@ static const struct option own[] = {
     {"", .about = "Output:"},
     {"warm-up", NULL, "solve for 0.1 s before the timed run, not counted", option_flag, PLACE(warm_up)},
     {"field", "FILE", "write points, temperature and exact temperature as CSV", option_text, PLACE(field_path)},
-    {"json", NULL, "JSON instead of text", option_flag, PLACE(json)},
+    JSON_OPTION(PLACE(json_path), "the result"),
     {0}};
 
 /* A program may report no cost. */
@@ -63,10 +64,12 @@ static void print_text(const struct result *r, const char *unit) {
         printf("  %-14s %lld updates of other runs, to choose the time step\n", "search", r->search_updates);
 }
 
-static void print_json(const struct result *r) {
-    struct json j = json_on(stdout);
+static int write_json(const struct result *r, const char *path, struct failure *why) {
+    struct output page;
+    struct json j = json_on(output_open(&page, "%s", path));
     result_json(r, &j);
     json_end(&j);
+    return output_close(&page, 1, why);
 }
 
 /* x[,y[,z]],T,exact in m and K, one line per point. */
@@ -93,7 +96,8 @@ static int check(const struct run_options *r, struct failure *why) {
                       : l->dt.count > 1 ? "dt"
                                         : "fourier");
     if (memory_check(&r->command.experiment, why)) return why->status;
-    return output_check(r->field_path, why);
+    if (output_check(r->field_path, why)) return why->status;
+    return output_check(r->json_path, why);
 }
 
 static int act(const void *options, struct failure *why) {
@@ -110,10 +114,8 @@ static int act(const void *options, struct failure *why) {
         if (!status) result_warn(&result);
     }
     if (!status && r->field_path) status = write_field(r, &field, why);
-    if (!status && r->json)
-        print_json(&result);
-    else if (!status)
-        print_text(&result, quantity_unit(&e.quantity, &e.problem));
+    if (!status) print_text(&result, quantity_unit(&e.quantity, &e.problem));
+    if (!status && r->json_path) status = write_json(&result, r->json_path, why);
     field_free(&field);
     return status;
 }

@@ -194,7 +194,7 @@ static const struct option own[] = {
     {"page", "FILE", "write the verdict and its table as an HTML page, and the ladders as FILE.csv", option_text,
      PLACE(page_path)},
     {"junit", "FILE", "write the verdicts as JUnit XML", option_text, PLACE(junit_path)},
-    {"json", "FILE", "write the verdicts as JSON", option_text, PLACE(json_path)},
+    JSON_OPTION(PLACE(json_path), "the verdicts"),
     {0}};
 
 static const struct command_syntax syntax = {"verify", "", "", "solver results keep timeout columns", NULL};

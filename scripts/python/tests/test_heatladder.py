@@ -101,7 +101,7 @@ def test_long_answers_are_binary_and_judged_alike(dx, start, tmp_path, monkeypat
     place = where / "rod-gauss" / dx
     subprocess.run([*code, str(place / "case"), str(place / "out.csv")], check=True)
     assert (place / "out.csv").read_bytes().startswith(start)
-    judged = subprocess.run([heatladder.program(), "run", "rod-gauss", "mine", "--dx", dx, "--json", "--solver",
+    judged = subprocess.run([heatladder.program(), "run", "rod-gauss", "mine", "--dx", dx, "--json", "-", "--solver",
                              " ".join([*code, "{case} {out}"])], check=True, stdout=subprocess.PIPE)
     assert json.loads(judged.stdout)["error_l1"] < 1e-12
 
