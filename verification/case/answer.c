@@ -28,9 +28,9 @@ static char *put(char *at, const char *text, size_t length) {
 /* Writes the line of point i; returns its end. */
 static char *put_row(const struct answer *a, double time, size_t i, const double *value, int n, char *at) {
     for (int d = 0; d < a->points.dim; d++) {
-        const struct points_text *typed = &a->points.typed[i][d];
+        const struct rows_cell *typed = &a->points.typed[i][d];
         if (d) *at++ = ',';
-        at = put(at, typed->start, (size_t)typed->length);
+        at = put(at, typed->text, typed->length);
         if (!typed->length) at += snprintf(at, NUMBER_PRINTED, "%.17g", a->points.x[i][d]);
     }
     for (int k = a->times > 1 ? -1 : 0; k < n; k++) {
@@ -46,7 +46,7 @@ static size_t room(const struct answer *a, size_t first, size_t n) {
     int numbers = a->points.dim + 1 + a->columns.values;
     size_t letters = n * (size_t)numbers * (NUMBER_PRINTED + 1);
     for (size_t i = first; i < first + n; i++)
-        for (int d = 0; d < a->points.dim; d++) letters += (size_t)a->points.typed[i][d].length;
+        for (int d = 0; d < a->points.dim; d++) letters += a->points.typed[i][d].length;
     return letters;
 }
 

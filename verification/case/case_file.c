@@ -8,6 +8,7 @@
 #include "solver/shape.h"
 #include "solver/status.h"
 #include "solver/words.h"
+#include "verification/text/number.h"
 #include "verification/text/whole_file.h"
 
 #include <math.h>
@@ -213,29 +214,60 @@ int case_file_check(const struct problem *p, const struct options *o, struct fai
                   near);
 }
 
-int case_file_value(const char *text, const char *key, char *value, size_t size) {
+const char *case_file_value(const struct rows *r, const char *key, long *line) {
     size_t length = strlen(key);
-    for (const char *line = text; line; line = strchr(line, '\n')) {
-        line += *line == '\n';
-        if (strncmp(line, key, length) != 0) continue;
-        const char *at = line + length + strspn(line + length, " \t");
-        if (*at != '=') continue;
-        at += 1 + strspn(at + 1, " \t");
-        size_t n = strcspn(at, "\r\n");
-        if (n >= size) return -1;
-        memcpy(value, at, n);
-        value[n] = '\0';
-        return 0;
+    for (const struct rows_line *l = r->line; l < r->line + r->count; l++) {
+        const char *at = l->text + length;
+        if (strncmp(l->text, key, length) != 0 || at[strspn(at, " \t")] != '=') continue;
+        if (line) *line = l->number;
+        at = strchr(at, '=') + 1;
+        return at + strspn(at, " \t");
     }
-    return -1;
+    return NULL;
 }
 
-char *case_file_read(const char *path, struct failure *why) {
-    size_t size;
-    char *text = whole_file_at(path, &size);
-    if (text && strlen(text) == size) return text;
-    refuse(why, STATUS_INPUT, "%.200s: %s; `heatladder case` writes it", path,
-           text ? "not a case file" : whole_file_error());
-    free(text);
-    return NULL;
+int case_file_read(const char *path, struct rows *r, struct failure *why) {
+    FILE *in = whole_file_open(path);
+    *r = (struct rows){0};
+    if (!in) return refuse(why, STATUS_INPUT, "%.200s: %s; `heatladder case` writes it", path, whole_file_error());
+    int status = rows_read(in, path, r, why);
+    fclose(in);
+    return status;
+}
+
+/* Whether two values are the same numbers, to 1e-9, and words. */
+static int is_same(const char *a, const char *b) {
+    struct rows_cell of[2][ROWS_CELLS];
+    struct failure ignored;
+    int n = rows_split(&(struct rows){0}, &(struct rows_line){a, 0}, ',', of[0], &ignored);
+    if (n != rows_split(&(struct rows){0}, &(struct rows_line){b, 0}, ',', of[1], &ignored)) return 0;
+    for (int i = 0; i < n; i++) {
+        double x[2];
+        int words = 0;
+        for (int k = 0; k < 2; k++) words += number_read_printed(of[k][i].text, of[k][i].length, &x[k]) != 0;
+        if (words ? of[0][i].length != of[1][i].length || memcmp(of[0][i].text, of[1][i].text, of[0][i].length)
+                  : !(fabs(x[0] - x[1]) <= 1e-9 * fabs(x[0])))
+            return 0;
+    }
+    return 1;
+}
+
+int case_file_compare(const struct rows *kept, char *text, const char *but, struct failure *why) {
+    static const char own[] = "label threads dt fourier seed oracle";
+    struct rows asked;
+    int status = rows_of(text, "case", &asked, why);
+    for (size_t i = 0; i < asked.count && !status; i++) {
+        char key[80];
+        long line;
+        snprintf(key, sizeof key, "%.*s", (int)strcspn(asked.line[i].text, " ="), asked.line[i].text);
+        if (words_among(own, key) || strcmp(key, but) == 0) continue;
+        const char *value = case_file_value(&asked, key, NULL), *other = case_file_value(kept, key, &line);
+        if (other && !is_same(value, other))
+            status = refuse(why, STATUS_INPUT,
+                            "%.200s, line %ld: %s = %.40s, where this command has %.40s: the answer beside it is of "
+                            "another case",
+                            kept->name, line, key, other, value);
+    }
+    rows_free(&asked);
+    return status;
 }

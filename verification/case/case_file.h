@@ -5,7 +5,8 @@
 /* The case file: one `key = value` per line, SI units, numbers with 17 digits, several values separated by
  * commas. */
 
-#include <stddef.h>
+#include "verification/case/rows.h"
+
 #include <stdio.h>
 
 struct failure;
@@ -31,11 +32,14 @@ int case_file_check(const struct problem *p, const struct options *o, struct fai
 void case_file_write(const struct scene *s, const struct problem *p, const struct options *o,
                      const struct case_extra *extra, FILE *out);
 
-/* Copies the value of a key in the text of a case file, at most size - 1 characters.  Returns 0 if the key
- * exists. */
-int case_file_value(const char *text, const char *key, char *value, size_t size);
+/* The rows of a case file, to be released in either case; STATUS_INPUT if there is none. */
+int case_file_read(const char *path, struct rows *r, struct failure *why);
 
-/* The whole text of a case file, freed by the caller; NULL with *why if it is not one. */
-char *case_file_read(const char *path, struct failure *why);
+/* The value of a key, NULL for none; *line, unless NULL, becomes its line. */
+const char *case_file_value(const struct rows *r, const char *key, long *line);
+
+/* STATUS_OK if the kept case and that in `text`, which is freed, are of one problem and spacing; else STATUS_INPUT
+ * with key and line.  Steps, labels, and the key `but` may differ, and keys may be missing from the kept case. */
+int case_file_compare(const struct rows *kept, char *text, const char *but, struct failure *why);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* NumPy's array files: magic, version, length of the header, a header in Python's syntax, then the rows in binary
  * (NEP 1, versions 1.0 to 3.0). */
-#include "verification/case/formats.h"
+#include "verification/case/npy_file.h"
 
 #include "solver/status.h"
 #include "verification/case/samples.h"
@@ -11,11 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAGIC = 6, HEADER = 4096, BLOCK = 65536 };
+enum { MAGIC = 6, HEADER = 4096 };
+static const size_t MOST = 1000000000; /* numbers: their sizes do not overflow */
 
 struct layout {
-    size_t rows, stride;         /* bytes from row to row */
-    size_t offset[COLUMN_COUNT]; /* in a row */
+    size_t rows, stride, size;   /* bytes from row to row, and of all rows */
+    size_t offset[COLUMN_COUNT]; /* of the first row */
     int bytes[COLUMN_COUNT];     /* 8 or 4; 0 for an absent column */
 };
 
@@ -59,117 +60,109 @@ static int read_fields(const char *at, const struct column_map *c, const struct 
     return STATUS_OK;
 }
 
-/* The columns are the coordinates, T and w in this order, or as --columns assigns them.  One more than the
- * coordinates of a rod or plane and T is ambiguous: w, or another coordinate. */
-static int read_columns(size_t columns, int bytes, const struct column_map *c, const struct samples *s,
-                        struct layout *l, struct failure *why) {
-    size_t least = (size_t)s->dim + 1, next = 0;
-    if (!c->text && columns == 3 && s->dim == 1)
+/* The columns are the coordinates, T and w in this order, or as --columns places them.  One more than the coordinates
+ * of a rod or plane and T is ambiguous: w, or another coordinate. */
+static int check_columns(size_t columns, const struct samples *s, struct failure *why) {
+    static const char *const coordinates[] = {"", "x", "x, y", "x, y, z"};
+    size_t least = (size_t)s->dim + 1;
+    if (columns == 3 && s->dim == 1)
         return wrong(s, why, "3 columns for a rod: x, T, w or x, y, T? --columns x=1,T=2,w=3 names their places");
-    if (!c->text && columns == 4 && s->dim == 2)
+    if (columns == 4 && s->dim == 2)
         return wrong(
             s, why, "4 columns in the plane: x, y, T, w or x, y, z, T? --columns x=1,y=2,T=3,w=4 names their places");
-    if (!c->text && columns != least && columns != least + 1)
-        return refuse(why, STATUS_INPUT, "%.150s: %zu columns; it needs %s, T and, for weighted points, w", s->path,
-                      columns,
-                      s->dim == 3   ? "x, y, z"
-                      : s->dim == 2 ? "x, y"
-                                    : "x");
+    if (columns == least || columns == least + 1) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "%.150s: %zu columns; it needs %s, T and, for weighted points, w", s->path,
+                  columns, coordinates[s->dim]);
+}
+
+/* In Fortran's order a column follows the other, else a row. */
+static int read_columns(size_t columns, int bytes, int fortran, const struct column_map *c, const struct samples *s,
+                        struct layout *l, struct failure *why) {
+    size_t next = 0, size = (size_t)bytes;
+    if (!c->text && check_columns(columns, s, why)) return why->status;
     for (int k = 0; k < COLUMN_COUNT; k++) {
         long place = 0;
-        int needed = samples_needs(s->dim, k) || k == COLUMN_W;
-        if (!needed && (s->dim == 1 || !c->name[k][0])) continue;
-        if (!c->name[k][0])
-            place = k == COLUMN_W && c->text ? 0 : (long)++next;
-        else if (number_read_whole(c->name[k], (long)columns, &place) && needed)
-            return refuse(why, STATUS_INPUT, "%.120s: no field '%s': an array of %zu columns has places, 1 to %zu",
-                          s->path, c->name[k], columns, columns);
-        if (place < 1 || (size_t)place > columns) continue;
-        l->offset[k] = (size_t)(place - 1) * (size_t)bytes, l->bytes[k] = bytes;
+        int needed = samples_needs(c, s->dim, k);
+        if (c->text) {
+            if (number_read_whole(c->name[k], (long)columns, &place)) place = 0;
+        } else if (needed || k == COLUMN_W) {
+            place = (long)++next <= (long)columns ? (long)next : 0;
+        }
+        if (needed && place < 1)
+            return refuse(
+                why, STATUS_INPUT,
+                "%.120s: no column '%s': --columns gives the places of an array of %zu columns, %s=1 to %zu", s->path,
+                samples_column_name(c, k), columns, samples_column_name(&(struct column_map){0}, k), columns);
+        if (place < 1) continue;
+        l->offset[k] = (size_t)(place - 1) * size * (fortran ? l->rows : 1), l->bytes[k] = bytes;
     }
-    l->stride = columns * (size_t)bytes;
+    l->stride = fortran ? size : columns * size;
+    l->size = l->rows * columns * size;
     return STATUS_OK;
 }
 
 static int read_layout(const char *header, const struct column_map *c, const struct samples *s, struct layout *l,
                        struct failure *why) {
     const char *descr = strstr(header, "'descr':"), *shape = strstr(header, "'shape':");
+    int fortran = strstr(header, "'fortran_order': True") != NULL, status = STATUS_OK;
     size_t columns = 0;
-    if (!descr || !shape || !strstr(header, "'fortran_order': False"))
-        return wrong(s, why, "not an array in C's order: numpy.ascontiguousarray makes one");
+    if (!descr || !shape) return wrong(s, why, "a header without descr and shape: not an array of NumPy");
     int sizes = sscanf(shape + 8, " ( %zu , %zu", &l->rows, &columns);
     descr += 8 + strspn(descr + 8, " ");
-    int status = STATUS_OK;
-    if (*descr == '[' && sizes == 1)
-        status = read_fields(descr + 1, c, s, l, why);
-    else if (bytes_of(descr) && sizes == 2)
-        status = read_columns(columns, bytes_of(descr), c, s, l, why);
+    if (*descr == '[' && sizes == 1 && l->rows < MOST)
+        status = read_fields(descr + 1, c, s, l, why), l->size = l->rows * l->stride;
+    else if (bytes_of(descr) && sizes == 2 && l->rows < MOST && columns < MOST / (l->rows + 1))
+        status = read_columns(columns, bytes_of(descr), fortran, c, s, l, why);
     else
         status = wrong(s, why, "not n rows of two or more columns '<f8' or '<f4', nor of named fields");
-    for (int k = 0; !status && k < COLUMN_COUNT; k++) {
-        int needed = samples_needs(s->dim, k) || (k == COLUMN_W && c->name[k][0]);
-        if (needed && !l->bytes[k])
+    for (int k = 0; !status && k < COLUMN_COUNT; k++)
+        if (samples_needs(c, s->dim, k) && !l->bytes[k])
             status = refuse(why, STATUS_INPUT, "%.150s: no field '%s'", s->path, samples_column_name(c, k));
-    }
     if (s->dim == 1) l->bytes[COLUMN_Y] = l->bytes[COLUMN_Z] = 0;
     return status;
 }
 
-static double value_at(const char *row, const struct layout *l, int column) {
+static double value_at(const char *at, int bytes) {
     double value;
     float single;
-    if (l->bytes[column] == 8) {
-        memcpy(&value, row + l->offset[column], sizeof value);
-        return value;
-    }
-    memcpy(&single, row + l->offset[column], sizeof single);
-    return single;
+    if (bytes == 8) return memcpy(&value, at, sizeof value), value;
+    return memcpy(&single, at, sizeof single), single;
 }
 
-/* Checks that the rest of the file holds the rows its header announces, and allocates memory for them. */
-static int make_room(FILE *in, const struct layout *l, struct samples *s, struct failure *why) {
+/* Checks that the rest of the file holds the rows that its header announces. */
+static int check_size(FILE *in, const struct layout *l, const struct samples *s, struct failure *why) {
     long here = ftell(in);
     if (here < 0 || fseek(in, 0, SEEK_END)) return wrong(s, why, "its size cannot be found");
-    size_t left = (size_t)(ftell(in) - here), rows = left / l->stride;
+    size_t left = (size_t)(ftell(in) - here);
     if (fseek(in, here, SEEK_SET)) return wrong(s, why, "cannot be read from its first row on");
-    if (rows < l->rows)
-        return refuse(why, STATUS_INPUT, "%.150s: cut off at row %zu of %zu", s->path, rows + 1, l->rows);
-    if (left > l->rows * l->stride) return wrong(s, why, "goes on after its last row");
     if (l->rows == 0) return wrong(s, why, "no points");
-    samples_reserve(s, l->rows);
-    return STATUS_OK;
+    if (left > l->size) return wrong(s, why, "goes on after its last row");
+    if (left == l->size) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "%.150s: cut off after %zu of %zu bytes", s->path, left, l->size);
 }
 
-static int put_row(const char *row, const struct layout *l, struct samples *s, struct failure *why) {
-    for (int k = 0; k < COLUMN_COUNT; k++) {
-        if (!l->bytes[k]) continue;
-        double value = s->value[k][s->n] = value_at(row, l, k);
-        if (!isfinite(value))
-            return refuse(why, STATUS_NUMERICAL, "%.150s, row %zu: %s is not finite", s->path, s->n + 1,
-                          samples_column_name(&(struct column_map){0}, k));
-    }
-    s->n++;
+static int read_rows(const char *data, const struct layout *l, struct samples *s, struct failure *why) {
+    for (int k = 0; k < COLUMN_COUNT; k++)
+        if (l->bytes[k]) s->value[k] = xcalloc(l->rows, sizeof *s->value[k]);
+    for (s->n = 0; s->n < l->rows; s->n++)
+        for (int k = 0; k < COLUMN_COUNT; k++) {
+            if (!l->bytes[k]) continue;
+            double value = s->value[k][s->n] = value_at(data + l->offset[k] + s->n * l->stride, l->bytes[k]);
+            if (!isfinite(value))
+                return refuse(why, STATUS_NUMERICAL, "%.150s, row %zu: %s is not finite", s->path, s->n + 1,
+                              samples_column_name(&(struct column_map){0}, k));
+        }
     return STATUS_OK;
-}
-
-static int read_rows(FILE *in, const struct layout *l, struct samples *s, struct failure *why) {
-    if (l->stride > BLOCK) return wrong(s, why, "more than 64 kB a point");
-    if (make_room(in, l, s, why)) return why->status;
-    char *block = xcalloc(BLOCK, 1);
-    int status = STATUS_OK;
-    while (s->n < l->rows && !status) {
-        size_t rows = fread(block, l->stride, BLOCK / l->stride, in);
-        if (rows == 0) status = wrong(s, why, "could not be read to its end");
-        for (size_t i = 0; i < rows && !status; i++) status = put_row(block + i * l->stride, l, s, why);
-    }
-    free(block);
-    return status;
 }
 
 int npy_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
     char header[HEADER];
     struct layout l = {0};
     if (read_header(in, header, s, why) || read_layout(header, c, s, &l, why)) return why->status;
-    for (int k = 0; k < COLUMN_COUNT; k++) s->has[k] = l.bytes[k] > 0;
-    return read_rows(in, &l, s, why);
+    if (check_size(in, &l, s, why)) return why->status;
+    char *data = xcalloc(l.size, 1);
+    int status = fread(data, 1, l.size, in) == l.size ? read_rows(data, &l, s, why)
+                                                      : wrong(s, why, "could not be read to its end");
+    free(data);
+    return status;
 }

@@ -3,7 +3,7 @@
 #include "verification/gates/gate_file.h"
 
 #include "solver/status.h"
-#include "verification/case/samples.h"
+#include "verification/case/rows.h"
 #include "verification/text/utf8.h"
 #include "verification/text/number.h"
 #include "verification/text/whole_file.h"
@@ -70,7 +70,7 @@ static int skip_blanks(struct scanner *s) {
 static const char *found(const struct scanner *s, char quoted[48]) {
     size_t n = 0;
     while (s->at + n < s->end && n < 20 && s->at[n] != '\n') n++;
-    return n ? samples_quote(s->at, n, quoted) : "the end of the line";
+    return n ? rows_quote(s->at, n, quoted) : "the end of the line";
 }
 
 static int take_mark(struct scanner *s, char mark) {

@@ -21,8 +21,8 @@
 #include "solver/status.h"
 #include "solver/words.h"
 #include "verification/solve/case_run.h"
-#include "verification/solve/field_file.h"
 #include "verification/solve/results.h"
+#include "verification/case/rows.h"
 #include "verification/case/samples.h"
 #include "verification/judge/interpolate.h"
 #include "verification/text/json.h"
@@ -35,7 +35,7 @@
 #include <string.h>
 
 static const double SAFETY = 1.25;
-enum { HALVINGS = 60, PROBES = 400, WORDS = 65536 };
+enum { HALVINGS = 60, PROBES = 400 };
 
 /* ln g(p) from the logarithms of the two ratios, so that no power of a ratio overflows. */
 static double log_ratio(double p, double log21, double log32, int oscillates) {
@@ -118,53 +118,47 @@ static void judge_values(const struct gci *g, struct gci_row *row) {
 
 /* ---- A line of values ---- */
 
-/* The next word of *at, terminated in place; NULL at the end of the line. */
-static char *next_word(char **at) {
-    char *word = *at + strspn(*at, " \t,;\"");
-    if (*word == '\0') return NULL;
-    char *end = word + strcspn(word, ",;\"\t ");
-    *at = *end ? end + 1 : end;
-    *end = '\0';
-    return word;
+/* Stores the numbers of a line of names and one of as many numbers at spacing i: 1, or 0 with *why. */
+static int take_values(const struct rows *r, const char *first, int i, struct gci *g, struct failure *why) {
+    struct rows_cell name[ROWS_CELLS], value[ROWS_CELLS];
+    char separator = rows_separator(r->line->text), label[GCI_NAME], quoted[48];
+    int n = rows_split(r, &r->line[0], separator, name, why), m = rows_split(r, &r->line[1], separator, value, why);
+    int same = n > 0 && n == m && (i == 0 || n == g->rows);
+    if (!same)
+        refuse(why, STATUS_INPUT, "%.150s: not a line of %d names and one of as many numbers, as %.150s is", r->name,
+               g->rows, first);
+    for (int k = 0; k < n && same; k++) {
+        double read, ignored;
+        snprintf(label, sizeof label, "%.*s", (int)name[k].length, name[k].text);
+        if (number_read_printed(value[k].text, value[k].length, &read) ||
+            number_read_printed(name[k].text, name[k].length, &ignored) >= 0)
+            same = 0, refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): '%s' is not a number", r->name,
+                             r->line[1].number, k + 1, label, rows_quote(value[k].text, value[k].length, quoted));
+        else if (i > 0 && strcmp(g->row[k].name, label) != 0)
+            same = 0, refuse(why, STATUS_INPUT, "%.150s, line %ld: column %d is '%.40s', but '%.47s' in %.150s",
+                             r->name, r->line[0].number, k + 1, label, g->row[k].name, first);
+        else if (i > 0 || add(g, label))
+            g->row[k].value[i] = read;
+        else
+            same = 0;
+    }
+    return same;
 }
 
-/* Reads a line of names and a line with as many numbers; stores their values at spacing i.  Returns 1; 0 if the first
- * file is not of this form; -1 with *why if a later one differs from `first`. */
+/* Reads a line of names and a line with as many numbers.  Returns 1; 0 if the first file is not of this form; -1 with
+ * *why if a later one differs from `first`. */
 static int read_values(const char *path, const char *first, int i, struct gci *g, struct failure *why) {
-    char *text = xcalloc(WORDS, 1), *line[3] = {NULL, NULL, NULL};
+    struct rows r = {0};
     FILE *in = whole_file_open(path);
-    int lines = 0, same = 1, words = 0;
-    size_t n = in ? fread(text, 1, WORDS - 1, in) : 0;
+    int status =
+        in ? rows_read(in, path, &r, why) : refuse(why, STATUS_INPUT, "%.200s: %s", path, whole_file_error());
     if (in) fclose(in);
-    for (char *at = text; n < WORDS - 1 && at && *at && lines < 3;
-         at = strchr(at, '\0') + (strchr(at, '\0') < text + n)) {
-        char *end = strpbrk(at, "\r\n");
-        if (end) *end = '\0';
-        if (at[strspn(at, " \t")] && *at != '#') line[lines++] = at;
-    }
-    why->text[0] = '\0';
-    while (lines == 2 && same) {
-        char *name = next_word(&line[0]), *value = next_word(&line[1]);
-        if (!name && !value) break;
-        double read;
-        same = name && value && number_read(name, &read) != 0 && number_read(value, &read) == 0;
-        if (same && i == 0 && !add(g, name)) same = 0;
-        if (!same && name)
-            refuse(why, STATUS_INPUT, "%.200s: column %d, '%.40s': '%.40s' is not a number", path, words + 1, name,
-                   value ? value : "");
-        if (same && words < g->rows && strncmp(g->row[words].name, name, GCI_NAME - 1) != 0)
-            same = 0, refuse(why, STATUS_INPUT, "%.150s: column %d is '%.40s', but '%.47s' in %.150s", path,
-                             words + 1, name, g->row[words].name, first);
-        if (same && words < g->rows) g->row[words].value[i] = read;
-        words++;
-    }
-    free(text);
-    if (lines == 2 && same && words == g->rows && words > 0) return 1;
-    if (i == 0) return 0;
-    if (!why->text[0])
-        refuse(why, STATUS_INPUT, "%.150s: not a line of %d names and one of as many numbers, as %.150s is", path,
-               g->rows, first);
-    return -1;
+    if (!status && r.count != 2)
+        status =
+            refuse(why, STATUS_INPUT, "%.150s: not a line of names and one of numbers, as %.150s is", path, first);
+    int same = !status && take_values(&r, first, i, g, why);
+    rows_free(&r);
+    return same ? 1 : i == 0 ? 0 : -1;
 }
 
 /* ---- Fields ---- */
@@ -172,14 +166,14 @@ static int read_values(const char *path, const char *first, int i, struct gci *g
 static int read_field(const char *path, const struct column_map *c, struct samples *s, struct failure *why) {
     for (int dim = DIM_MAX; dim > 1; dim--) {
         double lo, hi;
-        if (field_file_samples(path, path, dim, c, s, why)) continue;
+        if (samples_read(path, path, dim, c, s, why)) continue;
         for (; s->dim > 1; s->dim--) { /* an axis along which all points are at one place */
             gsl_stats_minmax(&lo, &hi, s->value[s->dim - 1], 1, s->n);
             if (hi > lo) break;
         }
         return STATUS_OK;
     }
-    return field_file_samples(path, path, 1, c, s, why);
+    return samples_read(path, path, 1, c, s, why);
 }
 
 /* Differences between successive fields at the points of the third finest, at most PROBES of them. */

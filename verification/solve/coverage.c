@@ -19,6 +19,7 @@
 #include "verification/case/samples.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 static const double SLACK = 1e-9; /* relative to the extent: a coordinate may be a rounded decimal */

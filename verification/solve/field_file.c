@@ -6,40 +6,10 @@
 #include "solver/problem.h"
 #include "solver/status.h"
 #include "verification/solve/coverage.h"
-#include "verification/case/formats.h"
 #include "verification/case/samples.h"
 
 #include <math.h>
 #include <string.h>
-
-/* A code in three dimensions that computes a plane as a thin box answers with one layer. */
-static int check_layer(const struct samples *s, struct failure *why) {
-    const double *z = s->value[COLUMN_Z];
-    for (size_t i = 1; i < s->n && s->dim == 2 && z; i++)
-        if (z[i] != z[0])
-            return refuse(
-                why, STATUS_INPUT,
-                "%.150s, line %ld: z = %.9g m, but %.9g m above: the case is in the plane; answer x,y,T with "
-                "one layer of the body",
-                s->path, samples_line(s, i), z[i], z[0]);
-    return STATUS_OK;
-}
-
-int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
-                       struct failure *why) {
-    char start[64];
-    *s = (struct samples){.path = name, .dim = dim, .seconds = NAN, .steps = NAN, .updates = NAN};
-    FILE *in = samples_open(path, name, why);
-    if (!in) return STATUS_INPUT;
-    size_t n = fread(start, 1, sizeof start, in);
-    rewind(in);
-    int status = (npy_file_is(start, n) ? npy_file_read : table_file_read)(in, c, s, why);
-    if (!status && ferror(in)) status = refuse(why, STATUS_INPUT, "%.200s: could not be read to its end", name);
-    fclose(in);
-    if (!status) status = check_layer(s, why);
-    if (status) samples_free(s);
-    return status;
-}
 
 /* Moves a coordinate that is a rounded decimal of a wall's onto the wall, so that its treatment there (such as the
  * missing value in a discontinuous corner) does not depend on its last digit. */
@@ -96,7 +66,7 @@ static void hand_over(struct samples *s, const struct problem *p, struct field *
 int field_file_read(const char *path, const char *name, const struct column_map *c, const struct problem *p,
                     const double *d, struct field *f, struct failure *why) {
     struct samples s;
-    if (field_file_samples(path, name, p->dim, c, &s, why)) return why->status;
+    if (samples_read(path, name, p->dim, c, &s, why)) return why->status;
     int status = coverage_check(&s, p, d, why);
     if (!status) status = missing_points_check(&s, p, d, why);
     if (!status) status = check_weights(&s, why);

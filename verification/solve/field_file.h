@@ -8,11 +8,6 @@ struct column_map;
 struct failure;
 struct field;
 struct problem;
-struct samples;
-
-/* The points as in the file, with that many coordinates; messages call it `name`.  Release with samples_free. */
-int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
-                       struct failure *why);
 
 /* The field, checked (coverage.h) against the spacings d by axis, m.  If STATUS_OK, the caller owns *f, with
  * step_seconds as reported by the program, NaN if not reported. */

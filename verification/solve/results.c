@@ -124,56 +124,67 @@ static int read_param(const struct param *t, const char *text, double *value) {
     return index < 0 ? -1 : 0;
 }
 
-static int read_mapping(const char *path, const char *text, struct results_known *known, struct failure *why) {
-    char value[80];
+static int refuse_value(const struct rows *r, const char *key, const char *valid, struct failure *why) {
+    long line = 0;
+    const char *value = case_file_value(r, key, &line);
+    return refuse(why, STATUS_INPUT, "%.200s, line %ld: %s = %.40s is not %s", r->name, line, key, value ? value : "",
+                  valid);
+}
+
+static int read_mapping(const struct rows *r, struct results_known *known, struct failure *why) {
     struct mapping map = {0};
-    int bad = 0;
-    if (case_file_value(text, "map", value, sizeof value) == 0) bad = mapping_read(value, &map);
-    if (!bad && case_file_value(text, "scale", value, sizeof value) == 0)
-        bad = number_read(value, &map.scale) || !(map.scale > 0);
-    if (!bad && case_file_value(text, "offset", value, sizeof value) == 0) bad = number_read(value, &map.offset);
-    if (bad) return refuse(why, STATUS_INPUT, "%.300s: map, scale or offset = %.40s is none", path, value);
+    const char *axes = case_file_value(r, "map", NULL), *scale = case_file_value(r, "scale", NULL),
+               *offset = case_file_value(r, "offset", NULL);
+    if (axes && mapping_read(axes, &map)) return refuse_value(r, "map", "axes such as y,-x", why);
+    if (scale && (number_read(scale, &map.scale) || !(map.scale > 0)))
+        return refuse_value(r, "scale", "a number > 0", why);
+    if (offset && number_read(offset, &map.offset)) return refuse_value(r, "offset", "a number", why);
     if (known->mapped && !mapping_same(&map, known->map))
         return refuse(why, STATUS_INPUT,
-                      "%.300s: map, scale or offset differ in other cases, or from --map, --scale, --offset", path);
+                      "%.300s: map, scale or offset differ in other cases, or from --map, --scale, --offset",
+                      r->name);
     known->mapped = 1;
     *known->map = map;
     return STATUS_OK;
 }
 
-static int read_aspect(const char *path, const char *text, struct results_known *known, struct failure *why) {
-    char value[80];
-    double dx, dy;
-    if (case_file_value(text, "dy", value, sizeof value)) return STATUS_OK;
-    if (number_read(value, &dy) || !(dy > 0) || case_file_value(text, "dx", value, sizeof value) ||
-        number_read(value, &dx) || !(dx > 0))
-        return refuse(why, STATUS_INPUT, "%.300s: dx and dy must be positive numbers", path);
-    if (*known->aspect > 0 && !(fabs(dy / dx / *known->aspect - 1) < 1e-9))
-        return refuse(why, STATUS_INPUT, "%.300s: dy is %g dx, but %g dx in other cases or by --aspect", path,
-                      dy / dx, *known->aspect);
-    *known->aspect = dy / dx;
+static int read_aspect(const struct rows *r, struct results_known *known, struct failure *why) {
+    const char *spacing[] = {"dx", "dy"};
+    double d[2];
+    if (!case_file_value(r, "dy", NULL)) return STATUS_OK;
+    for (int k = 0; k < 2; k++) {
+        const char *value = case_file_value(r, spacing[k], NULL);
+        if (!value || number_read(value, &d[k]) || !(d[k] > 0))
+            return refuse_value(r, spacing[k], "a number > 0", why);
+    }
+    double aspect = d[1] / d[0];
+    if (*known->aspect > 0 && !(fabs(aspect / *known->aspect - 1) < 1e-9))
+        return refuse(why, STATUS_INPUT, "%.300s: dy is %g dx, but %g dx in other cases or by --aspect", r->name,
+                      aspect, *known->aspect);
+    *known->aspect = aspect;
     return STATUS_OK;
 }
 
-int results_case_params(const char *path, const char *text, const struct scene *s, struct results_known *known,
+int results_case_params(const struct rows *r, const struct scene *s, struct results_known *known,
                         struct failure *why) {
-    char key[80], value[80], scene[80];
-    if (case_file_value(text, "scene", scene, sizeof scene) || strcmp(scene, s->name) != 0)
-        return refuse(why, STATUS_INPUT, "%.300s: not a case of %s", path, s->name);
+    const char *scene = case_file_value(r, "scene", NULL);
+    if (!scene || strcmp(scene, s->name) != 0)
+        return refuse(why, STATUS_INPUT, "%.300s: not a case of %s", r->name, s->name);
     for (int i = 0; s->params[i].name; i++) {
+        char key[80];
         double read;
         snprintf(key, sizeof key, "param_%s", s->params[i].name);
-        if (case_file_value(text, key, value, sizeof value)) continue;
-        if (read_param(&s->params[i], value, &read))
-            return refuse(why, STATUS_INPUT, "%.300s: %s = %.40s is no value of it", path, key, value);
+        const char *value = case_file_value(r, key, NULL);
+        if (!value) continue;
+        if (read_param(&s->params[i], value, &read)) return refuse_value(r, key, "a value of this parameter", why);
         if (known->set & 1ul << i && read != known->p->param[i])
-            return refuse(why, STATUS_INPUT, "%.300s: %s = %.40s, but %.17g in other cases or by --set", path, key,
+            return refuse(why, STATUS_INPUT, "%.300s: %s = %.40s, but %.17g in other cases or by --set", r->name, key,
                           value, known->p->param[i]);
         known->p->param[i] = read;
         known->set |= 1ul << i;
     }
-    int status = read_mapping(path, text, known, why);
-    return status ? status : read_aspect(path, text, known, why);
+    int status = read_mapping(r, known, why);
+    return status ? status : read_aspect(r, known, why);
 }
 
 int results_params(const char *dir, const struct scene *s, const char *setting, const struct numbers *dx,
@@ -183,12 +194,12 @@ int results_params(const char *dir, const struct scene *s, const char *setting, 
     for (int i = 0; i < dx->count; i++) {
         if (results_directory(of_scene, dx->value[i], path)) continue;
         snprintf(file, sizeof file, "%s/case", path);
-        struct stat is;
-        if (stat(file, &is)) snprintf(file, sizeof file, "%s/seed=1/case", path);
-        if (stat(file, &is)) continue;
-        char *text = case_file_read(file, why);
-        int status = text ? results_case_params(file, text, s, known, why) : STATUS_INPUT;
-        free(text);
+        if (access(file, F_OK)) snprintf(file, sizeof file, "%s/seed=1/case", path);
+        if (access(file, F_OK)) continue;
+        struct rows r;
+        int status = case_file_read(file, &r, why);
+        if (!status) status = results_case_params(&r, s, known, why);
+        rows_free(&r);
         if (status) return status;
     }
     return STATUS_OK;

@@ -32,9 +32,10 @@ struct results_known { /* settings of the cases that are judged together */
     double *aspect; /* dy over dx, 0: unknown */
 };
 
-/* Compares the parameters and the mapping in the `text` of the case file at `path` with the known ones, and adds new
- * ones. */
-int results_case_params(const char *path, const char *text, const struct scene *s, struct results_known *known,
+struct rows;
+
+/* Compares the parameters and the mapping of a case file with the known ones, and adds new ones. */
+int results_case_params(const struct rows *r, const struct scene *s, struct results_known *known,
                         struct failure *why);
 
 /* "NAME=VALUE,NAME=VALUE" of the parameters given (bits of `set`), in the order of the scene's table, then dy over

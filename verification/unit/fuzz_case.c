@@ -22,12 +22,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (size == 0) return 0;
     while (scenes[count]) count++;
     const struct scene *s = scenes[data[0] % count];
-    char *text = case_file_read(fuzz_put(data + 1, size - 1), &why);
-    fuzz_require(text || why.text[0]);
-    if (!text) return 0;
+    struct rows r;
     scene_defaults(s, &p);
-    int status = results_case_params("case", text, s, &known, &why);
-    free(text);
+    int status = case_file_read(fuzz_put(data + 1, size - 1), &r, &why);
+    if (!status) status = results_case_params(&r, s, &known, &why);
+    rows_free(&r);
     fuzz_require(status == STATUS_OK || (status == STATUS_INPUT && why.text[0]));
     if (status) return 0;
     status = s->setup(&p, &why);

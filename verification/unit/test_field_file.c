@@ -29,7 +29,7 @@ static void put(const char *text, size_t size) {
 static int read_file(int dim, const char *map, struct samples *s, struct failure *why) {
     struct column_map c = {0};
     if (map && samples_columns_read(map, &c, why)) return why->status;
-    return field_file_samples(path, path, dim, &c, s, why);
+    return samples_read(path, path, dim, &c, s, why);
 }
 
 static int read_as(const char *text, int dim, const char *map, struct samples *s, struct failure *why) {
@@ -94,18 +94,18 @@ static void invalid_tables_name_line_and_column(void **state) {
         const char *text, *says, *map;
         int status, size; /* STATUS_INPUT and the whole text where 0 */
     } row[] = {
-        {"x,T\n1,2\n3,warm\n", "line 3, column 2: T = 'warm' is not a decimal number", NULL, 0, 0},
-        {"x,T\n1,2\n3,\n", "line 3, column 2: T = ''", NULL, 0, 0},
-        {"x,T\n1,0x1p3\n", "not a hexadecimal", NULL, 0, 0},
+        {"x,T\n1,2\n3,warm\n", "line 3, column 2 (T): 'warm' is not a decimal number", NULL, 0, 0},
+        {"x,T\n1,2\n3,\n", "line 3, column 2 (T): ''", NULL, 0, 0},
+        {"x,T\n1,0x1p3\n", "not a decimal number, but a hexadecimal one", NULL, 0, 0},
         {"x,T\n1,*****\n", "Fortran prints asterisks", NULL, 0, 0},
         {"x;T\n1;2,5\n", "a number with a decimal point", NULL, 0, 0},
-        {"x,T\n1,-Infinity\n", "line 2, column 2: T = -Infinity is not finite", NULL, STATUS_NUMERICAL, 0},
-        {"x,T\n1,-1.#IND\n", "line 2, column 2: T = -1.#IND is not finite", NULL, STATUS_NUMERICAL, 0},
-        {"x,T\n1,1.#INF00\n", "T = 1.#INF00 is not finite", NULL, STATUS_NUMERICAL, 0},
+        {"x,T\n1,-Infinity\n", "line 2, column 2 (T): '-Infinity' is not a finite number", NULL, STATUS_NUMERICAL, 0},
+        {"x,T\n1,-1.#IND\n", "line 2, column 2 (T): '-1.#IND' is not a finite number", NULL, STATUS_NUMERICAL, 0},
+        {"x,T\n1,1.#INF00\n", "'1.#INF00' is not a finite number", NULL, STATUS_NUMERICAL, 0},
         {"x,T\n1,2,3\n", "line 2: 3 columns where the lines above have 2", NULL, 0, 0},
         {"x,T\n1,2\n3,0.8", "line 3: ends without a newline", NULL, 0, 0},
-        {"x,T\n1,2\r3,4\n5,6\n", "line 2: a carriage return within the line", NULL, 0, 0},
-        {"x,T\r1,2\r", "line 1: ends without a newline", NULL, 0, 0},
+        {"x,T\n1,2\r3,4\n5,6\n", "line 2: a carriage return", NULL, 0, 0},
+        {"x,T\r1,2\r", "line 1: a carriage return", NULL, 0, 0},
         {"x,y\n1,2\n", "line 1: 'x,y' should be the header x,T", NULL, 0, 0},
         {"# x,T,w\n1,2\n", "line 2: '1,2' should be the header x,T", NULL, 0, 0},
         {"x,T,T\n1,2,3\n", "two columns are called 'T'", NULL, 0, 0},
@@ -163,6 +163,7 @@ static void put_npy(int version, const char *header, size_t length, const void *
     fclose(out);
 }
 
+#define FORTRAN(type, shape) "{'descr': " type ", 'fortran_order': True, 'shape': " shape ", }"
 #define ARRAY(type, shape) "{'descr': " type ", 'fortran_order': False, 'shape': " shape ", }"
 
 /* Eight numbers, 0.5 to 7.5: each row names where the last point's x, y, z, T and w are among them; -1: nowhere. */
@@ -174,6 +175,8 @@ static void numpy_columns_and_fields_are_read(void **state) {
     } row[] = {
         {ARRAY("'<f8'", "(4, 2)"), NULL, 1, 4, {6, -1, -1, 7, -1}},
         {ARRAY("'<f8'", "(2, 4)"), "x=1,y=2,T=3,w=4", 2, 2, {4, 5, -1, 6, 7}},
+        {FORTRAN("'<f8'", "(2, 4)"), NULL, 3, 2, {1, 3, 5, 7, -1}},
+        {FORTRAN("'<f8'", "(4, 2)"), "T=1,x=2", 1, 4, {7, -1, -1, 3, -1}},
         {ARRAY("'<f8'", "(2, 4)"), NULL, 3, 2, {4, 5, 6, 7, -1}},
         {ARRAY("'<f8'", "(1, 8)"), "x=1,y=2,z=3,T=4,w=5", 3, 1, {0, 1, 2, 3, 4}},
         {ARRAY("'<f8'", "(2, 4)"), "z=1,x=2,T=3,y=4", 3, 2, {5, 7, 4, 6, -1}},
@@ -229,7 +232,7 @@ static void other_numpy_arrays_are_refused(void **state) {
         const char *map, *says;
     } row[] = {
         {ARRAY("'<f8'", "(2, 2)"), 32, 1, NULL, "row 2: T is not finite"},
-        {ARRAY("'<f8'", "(2, 2)"), 24, 1, NULL, "cut off at row 2 of 2"},
+        {ARRAY("'<f8'", "(2, 2)"), 24, 1, NULL, "cut off after 24 of 32 bytes"},
         {ARRAY("'<f8'", "(1, 2)"), 24, 1, NULL, "goes on after its last row"},
         {ARRAY("'<f8'", "(1, 5)"), 40, 1, NULL, "5 columns; it needs x, T"},
         {ARRAY("'<f8'", "(1, 1)"), 8, 1, NULL, "1 columns; it needs x, T"},
@@ -237,15 +240,17 @@ static void other_numpy_arrays_are_refused(void **state) {
         {ARRAY("'<f8'", "(1, 4)"), 32, 2, NULL, "4 columns in the plane: x, y, T, w or x, y, z, T?"},
         {ARRAY("'<f8'", "(1, 3)"), 24, 3, NULL, "3 columns; it needs x, y, z, T"},
         {ARRAY("'<f8'", "(2, 4)"), 64, 2, "x=1,y=2,z=4,T=3", "row 1: z is not finite"},
-        {ARRAY("'<f8'", "(4, 2)"), 64, 3, "x=1,y=2,z=3,T=2", "no field '3'"},
+        {ARRAY("'<f8'", "(4, 2)"), 64, 3, "x=1,y=2,z=3,T=2", "no column '3'"},
         {ARRAY("'<f8'", "(1, 2)"), 16, 2, NULL, "2 columns; it needs x, y, T"},
-        {ARRAY("'<f8'", "(1, 2)"), 16, 1, "T=temp", "no field 'temp': an array of 2 columns has places, 1 to 2"},
-        {ARRAY("'<f8'", "(1, 2)"), 16, 1, "T=3", "no field '3'"},
-        {ARRAY("'<f8'", "(1, 2)"), 16, 1, "T=0", "no field '0'"},
+        {ARRAY("'<f8'", "(1, 2)"), 16, 1, "T=temp",
+         "no column 'x': --columns gives the places of an array of 2 columns, x=1 to 2"},
+        {ARRAY("'<f8'", "(1, 2)"), 16, 1, "x=1,T=3", "no column '3'"},
+        {ARRAY("'<f8'", "(1, 2)"), 16, 1, "x=1,T=0", "no column '0'"},
         {ARRAY("'<f8'", "(4,)"), 32, 1, NULL, "not n rows of two or more columns"},
         {ARRAY("'<f8'", "(0, 2)"), 0, 1, NULL, "no points"},
         {ARRAY("'|O'", "(2, 2)"), 32, 1, NULL, "'<f8' or '<f4'"},
-        {"{'descr': '<f8', 'fortran_order': True, 'shape': (2, 2), }", 32, 1, NULL, "ascontiguousarray"},
+        {ARRAY("'<f8'", "(2, 4)"), 64, 3, "x=2,y=3,T=4", "no column 'z'"},
+        {"{'descr': '<f8', }", 32, 1, NULL, "a header without descr and shape"},
         {ARRAY("[('x', '<i8')]", "(2,)"), 16, 1, NULL, "a field is not one number of 8 or 4 bytes"},
         {ARRAY("[('pos', '<f8', (3,)), ('T', '<f8')]", "(1,)"), 32, 1, NULL, "a field is not one number"},
         {ARRAY("[('x', '<f8'", "(1,)"), 8, 1, NULL, "a field is not one number"},

@@ -255,7 +255,7 @@ static void missing_answers_are_named(void **state) {
     fputs("flux,cold\n1,2\n", out);
     fclose(out);
     assert_int_equal(read_sub("fewer", &(struct numbers){0}, &g, &why), STATUS_INPUT);
-    assert_has(why.text, "/fewer/0.25/out.csv: column 2 is 'cold', but 'heat' in ");
+    assert_has(why.text, "/fewer/0.25/out.csv, line 1: column 2 is 'cold', but 'heat' in ");
 }
 
 int main(void) {

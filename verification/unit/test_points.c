@@ -25,7 +25,7 @@ static void points_are_read_as_programs_write_them(void **state) {
     assert_near(points.cell[0][0], 0.02, 0);
     assert_near(points.cell[1][1], 0.03, 0); /* dy as dx */
     assert_int_equal(points.typed[0][0].length, 8);
-    assert_memory_equal(points.typed[0][0].start, "+4.1e-01", 8);
+    assert_memory_equal(points.typed[0][0].text, "+4.1e-01", 8);
     points_free(&points);
 }
 
@@ -59,15 +59,16 @@ static void bad_points_are_refused_by_line_and_column(void **state) {
         {"x,z\n0.1,0.2\n", "line 1: 'x,z' has no column y; the header is x,y"},
         {"0.1,0.2\n", "line 1: '0.1,0.2' has no column x"},
         {"x,y,x\n0.1,0.2,0.3\n", "line 1: two columns are called 'x'"},
-        {"x,y\n0.1,0.2\n\n0.1;0.2\n", "line 4: 1 column, the header has 2"},
-        {"x,y\n0.1,0.2,0.3\n", "line 2: 3 columns, the header has 2"},
-        {"a,x,y\n7,0.1,0.2\n7,0.1,0x1p-3\n", "line 3, column 3 (y): '0x1p-3' is not a finite number"},
-        {"x,y\n,0.2\n", "line 2, column 1 (x): '' is not a finite number"},
+        {"x,y\n0.1,0.2\n\n0.1;0.2\n", "line 4: 1 column where the lines above have 2"},
+        {"x,y\n0.1,0.2,0.3\n", "line 2: 3 columns where the lines above have 2"},
+        {"a,x,y\n7,0.1,0.2\n7,0.1,0x1p-3\n",
+         "line 3, column 3 (y): '0x1p-3' is not a decimal number, but a hexadecimal one"},
+        {"x,y\n,0.2\n", "line 2, column 1 (x): '' is not a decimal number"},
         {"x,y\nnan,0.2\n", "line 2, column 1 (x): 'nan' is not a finite number"},
-        {"x,y\n0.1,0.2\n1.91,0.2\n", "line 3, column 1 (x): 1.91 m is outside -1.9 to 1.9 m"},
-        {"x,y\n0.1,0.2\n0.15,-2\n", "line 3, column 2 (y): -2 m is outside"},
-        {"x,y,dx\n0.1,0.2,-0.01\n", "line 2, column 3 (dx): -0.01 m: a cell's extent is 0 or more"},
-        {"x,y\n0.1,0.2\n0.1,0.", "line 3: no newline at the end"},
+        {"x,y\n0.1,0.2\n1.91,0.2\n", "line 3: (1.91,0.2) m: x is outside -1.9 to 1.9 m"},
+        {"x,y\n0.1,0.2\n0.15,-2\n", "line 3: (0.15,-2) m: y is outside"},
+        {"x,y,dx\n0.1,0.2,-0.01\n", "line 2: (0.1,0.2) m: the extent -0.01 m of a cell is below 0"},
+        {"x,y\n0.1,0.2\n0.1,0.", "line 3: ends without a newline"},
     };
     struct problem p;
     odd_find("square-step", &p);
@@ -104,7 +105,7 @@ static void the_first_of_many_bad_lines_is_named(void **state) {
     to += sprintf(to, "x\n");
     for (int line = 2; line < N; line++) to += sprintf(to, line < FIRST ? "0.1\n" : "y%d\n", line);
     assert_int_equal(points_text(text, &p, &points, &why), STATUS_INPUT);
-    assert_has(why.text, "line 1999, column 1 (x): 'y1999' is not a finite number");
+    assert_has(why.text, "line 1999, column 1 (x): 'y1999' is not a decimal number");
     free(text);
 }
 

@@ -62,8 +62,9 @@ static void failures_are_named(void **state) {
     refused(RUN(AWK " -v bad=header {case} > {out}"), STATUS_NUMERICAL,
             "{out}, line 4: 1 column where the lines above have 2");
     refused(RUN(AWK " -v bad=word {case} > {out}"), STATUS_NUMERICAL,
-            "line 31, column 2: T = 'warm' is not a decimal number");
-    refused(RUN(AWK " -v bad=nan {case} > {out}"), STATUS_NUMERICAL, "line 31, column 2: T = nan is not finite");
+            "line 31, column 2 (T): 'warm' is not a decimal number");
+    refused(RUN(AWK " -v bad=nan {case} > {out}"), STATUS_NUMERICAL,
+            "line 31, column 2 (T): 'nan' is not a finite number");
     refused(RUN("exit 7; {case} {out}"), STATUS_NUMERICAL, "exit status 7");
     refused(RUN("/no/such/program {case} {out} 2>/dev/null"), STATUS_INPUT, "could not be run");
     refused(RUN("kill -9 $$; {case} {out}"), STATUS_NUMERICAL, "signal 9");
