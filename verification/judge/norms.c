@@ -90,7 +90,7 @@ static double power_below(double x) {
     return x > 0 && isfinite(x) ? scalbn(1, ilogb(x)) : 1;
 }
 
-/* Errors and temperatures are scaled by their maximum before they are squared, which prevents overflow and
+/* Errors and temperatures are scaled by their maximum before they are added or squared, which prevents overflow and
  * underflow. */
 struct norms_error norms_error(const struct field *f, const double *exact, enum norms_part part,
                                const unsigned char *near) {
@@ -99,22 +99,21 @@ struct norms_error norms_error(const struct field *f, const double *exact, enum 
     for (size_t i = 0; i < f->n; i++) {
         norms.left_out += exact[i] == NORMS_NO_VALUE;
         if (!counts(exact, part, near, i)) continue;
-        double e = fabs(f->T[i] - exact[i]), T = fabs(exact[i]);
-        e1 += weight(f, i) * e;
-        t1 += weight(f, i) * T;
-        norms.linf = fmax(norms.linf, e);
-        largest = fmax(largest, T);
+        norms.linf = fmax(norms.linf, fabs(f->T[i] - exact[i]));
+        largest = fmax(largest, fabs(exact[i]));
         norms.n++;
     }
     double unit[2] = {power_below(norms.linf), power_below(largest)};
     for (size_t i = 0; i < f->n; i++) {
         if (!counts(exact, part, near, i)) continue;
         double e = (f->T[i] - exact[i]) / unit[0], T = exact[i] / unit[1];
+        e1 += weight(f, i) * fabs(e);
+        t1 += weight(f, i) * fabs(T);
         e2 += weight(f, i) * e * e;
         t2 += weight(f, i) * T * T;
     }
     if (isnan(e1) || norms.n == 0) norms.linf = NAN; /* fmax skips a NaN */
-    norms.l1 = e1 / t1;
+    norms.l1 = e1 / t1 * (unit[0] / unit[1]);
     norms.l2 = sqrt(e2 / t2) * (unit[0] / unit[1]);
     return norms;
 }

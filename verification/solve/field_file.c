@@ -2,12 +2,15 @@
 /* From a file to a field. */
 #include "verification/solve/field_file.h"
 
+#include "references/mapping.h"
 #include "solver/field.h"
 #include "solver/problem.h"
+#include "solver/shape.h"
 #include "solver/status.h"
 #include "verification/solve/coverage.h"
 #include "verification/case/samples.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -24,18 +27,51 @@ static void snap_to_walls(struct samples *s, const struct problem *p) {
     }
 }
 
-static int check_weights(const struct samples *s, struct failure *why) {
-    double sum = 0;
-    for (size_t i = 0; i < s->n && s->value[COLUMN_W]; i++) {
-        double w = s->value[COLUMN_W][i];
-        if (!(w >= 0))
+/* Divides the weights by a power of 2 near the largest, which is exact, so that sums with them do not overflow. */
+static int scale_weights(struct samples *s, struct failure *why) {
+    double *w = s->value[COLUMN_W], largest = 0;
+    for (size_t i = 0; i < s->n && w; i++) {
+        if (!(w[i] >= 0))
             return refuse(why, STATUS_INPUT, "%.150s, line %ld: w = %g; a weight must be 0 or more", s->path,
-                          samples_line(s, i), w);
-        sum += w;
+                          samples_line(s, i), w[i]);
+        largest = fmax(largest, w[i]);
     }
-    if (s->value[COLUMN_W] && !(sum > 0))
+    if (w && !(largest > 0))
         return refuse(why, STATUS_INPUT, "%.150s: all weights w are 0; a norm needs some above", s->path);
+    for (size_t i = 0; i < s->n && w; i++) {
+        double scaled = scalbn(w[i], -ilogb(largest));
+        if (w[i] > 0 && scaled < DBL_MIN)
+            return refuse(why, STATUS_INPUT,
+                          "%.150s, line %ld: w = %g beside a largest of %g: weights may differ by up to 1e307",
+                          s->path, samples_line(s, i), w[i], largest);
+        w[i] = scaled;
+    }
     return STATUS_OK;
+}
+
+/* Refuses a temperature that no error of a method leads to.  A source alone gives no scale. */
+static int check_size(const struct samples *s, const struct problem *p, struct failure *why) {
+    static const double OVERFLOW = 1e12; /* times the largest temperature of initial data and walls */
+    double lo = HUGE_VAL, hi = -HUGE_VAL, x[DIM_MAX];
+    const double *T = s->value[COLUMN_T];
+    char place[SAMPLES_PLACE];
+    size_t largest = 0;
+    for (size_t i = 1; i < s->n; i++)
+        if (fabs(T[i]) > fabs(T[largest])) largest = i;
+    if (!(fabs(T[largest]) > OVERFLOW)) return STATUS_OK;
+    for (size_t i = 0; i < s->n; i++) {
+        double start = p->initial(p, samples_point(s, i, x));
+        lo = fmin(lo, start), hi = fmax(hi, start);
+        for (int side = 0; side < 2 * p->dim; side++)
+            if (shape_has_wall(p, side) && (p->side[side] == DIRICHLET || p->side[side] == ROBIN))
+                problem_wall_range(p, (enum side)side, shape_foot(p, side, x).x, &lo, &hi);
+    }
+    if (fabs(T[largest]) <= OVERFLOW * fmax(1, fmax(fabs(lo), fabs(hi)))) return STATUS_OK;
+    return refuse(
+        why, STATUS_NUMERICAL,
+        "%.150s, line %ld: T = %g K at %s m, where initial data and walls have %g to %g K: overflow, such as "
+        "of an unstable step",
+        s->path, samples_line(s, largest), T[largest], samples_place(s, largest, place), lo, hi);
 }
 
 static long long whole(double value) {
@@ -63,13 +99,14 @@ static void hand_over(struct samples *s, const struct problem *p, struct field *
     f->stages = f->steps > 0;
 }
 
-int field_file_read(const char *path, const char *name, const struct column_map *c, const struct problem *p,
+int field_file_read(const char *path, const char *name, const struct column_map *c, const struct image *image,
                     const double *d, struct field *f, struct failure *why) {
+    const struct problem *p = &image->problem;
     struct samples s;
     if (samples_read(path, name, p->dim, c, &s, why)) return why->status;
-    int status = coverage_check(&s, p, d, why);
-    if (!status) status = missing_points_check(&s, p, d, why);
-    if (!status) status = check_weights(&s, why);
+    int status = coverage_check(&s, image, d, why);
+    if (!status) status = scale_weights(&s, why);
+    if (!status) status = check_size(&s, p, why);
     if (!status) {
         snap_to_walls(&s, p);
         hand_over(&s, p, f);

@@ -2,16 +2,16 @@
 #ifndef HEATLADDER_VERIFICATION_SOLVE_FIELD_FILE_H
 #define HEATLADDER_VERIFICATION_SOLVE_FIELD_FILE_H
 
-/* The answer of an external program: a field of *p at t_end, from a table or NumPy's .npy. */
+/* The answer of an external program: a field at t_end, from a table or NumPy's .npy. */
 
 struct column_map;
 struct failure;
 struct field;
-struct problem;
+struct image;
 
-/* The field, checked (coverage.h) against the spacings d by axis, m.  If STATUS_OK, the caller owns *f, with
- * step_seconds as reported by the program, NaN if not reported. */
-int field_file_read(const char *path, const char *name, const struct column_map *c, const struct problem *p,
+/* The field, checked (coverage.h) against the problem of the case and its spacings d by axis, m.  If STATUS_OK, the
+ * caller owns *f, with weights of about 1 at most, and step_seconds as reported by the program, NaN if not. */
+int field_file_read(const char *path, const char *name, const struct column_map *c, const struct image *image,
                     const double *d, struct field *f, struct failure *why);
 
 #endif

@@ -24,6 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 const char program_help[] =
     "--solver runs your program.  METHOD of a ladder is then only its name in tables:\n"
@@ -80,7 +81,7 @@ static int read_answer(const struct program *g, const char *path, const char *na
     const double d[DIM_MAX] = {o->dx, options_spacing(o, 1), o->dx};
     struct image image;
     mapping_image(&g->map, p, &image);
-    if (field_file_read(path, name, &g->columns, &image.problem, d, f, why)) return why->status;
+    if (field_file_read(path, name, &g->columns, &image, d, f, why)) return why->status;
     if (mapping_is_none(&g->map)) return STATUS_OK;
     map_points(&g->map, f, mapping_to_scene, mapping_temperature_back);
     for (int k = 0; k < 2; k++) f->range[k] = mapping_temperature_back(&g->map, f->range[k]);
@@ -200,6 +201,22 @@ static int solve_now(const struct program *g, const struct scene *s, const struc
 
 /* ---- Reading existing answers ---- */
 
+/* Refuses an answer to another case than the one asked for, if the case is beside it. */
+static int check_case(const struct program *g, const char *dir, const struct scene *s, const struct problem *p,
+                      const struct options *o, struct failure *why) {
+    char path[RESULTS_PATH + 16], *text;
+    struct rows kept;
+    snprintf(path, sizeof path, "%s/case", dir);
+    if (access(path, F_OK)) return STATUS_OK;
+    int status = case_file_read(path, &kept, why);
+    if (!status) {
+        case_text(g, s, p, o, &text);
+        status = case_file_compare(&kept, text, g->vary, why);
+    }
+    rows_free(&kept);
+    return status;
+}
+
 static int solve_later(const struct program *g, const struct scene *s, const struct problem *p,
                        const struct options *o, struct field *f, struct failure *why) {
     char dir[RESULTS_PATH], path[RESULTS_PATH + 16];
@@ -210,7 +227,7 @@ static int solve_later(const struct program *g, const struct scene *s, const str
     if (!answered && code > 0)
         return refuse(why, STATUS_NUMERICAL, "%.300s: the program ended with exit status %d (%.300s/log)", path, code,
                       dir);
-    if (read_answer(g, path, path, p, o, f, why)) return why->status;
+    if (check_case(g, dir, s, p, o, why) || read_answer(g, path, path, p, o, f, why)) return why->status;
     f->cost.seconds = f->cost.step_seconds;
     return STATUS_OK;
 }

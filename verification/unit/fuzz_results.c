@@ -3,6 +3,7 @@
  * byte even) or a rectangle, with or without a map of columns (second bit). */
 #include "verification/solve/field_file.h"
 
+#include "references/mapping.h"
 #include "references/scene.h"
 #include "solver/field.h"
 #include "solver/problem.h"
@@ -37,8 +38,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         fuzz_require(scene_find(scene[k])->setup(&p[k], &why) == STATUS_OK);
     }
     if (data[0] & 2) fuzz_require(samples_columns_read(k ? "x=a,y=b,T=c,w=d" : "x=2,T=1", &c, &why) == STATUS_OK);
+    const struct image image = {.problem = p[k]};
     int status =
-        field_file_read(fuzz_put(data + 1, size - 1), "file", &c, &p[k], (double[2]){dx[k], dx[k]}, &f, &why);
+        field_file_read(fuzz_put(data + 1, size - 1), "file", &c, &image, (double[2]){dx[k], dx[k]}, &f, &why);
     fuzz_require(status == STATUS_OK || ((status == STATUS_INPUT || status == STATUS_NUMERICAL) && why.text[0]));
     if (status) return 0;
     check(&f, k + 1);

@@ -3,6 +3,7 @@
  * line, its column and a remedy. */
 #include "verification/solve/field_file.h"
 
+#include "references/mapping.h"
 #include "references/scene.h"
 #include "solver/field.h"
 #include "solver/problem.h"
@@ -298,12 +299,71 @@ static void rounded_coordinates_snap_to_walls(void **state) {
                 fprintf(out, "%.17g,%.17g,%d,%d\n", moved ? -1e-13 - 0.01 * (10 - i) : 0.0099999999999 * i,
                         1e-13 + 0.01 * j, i + 20 * j, 1 + i);
         fclose(out);
-        if (field_file_read(path, path, &(struct column_map){0}, &p, (double[2]){0.01, 0.01}, &f, &why))
+        if (field_file_read(path, path, &(struct column_map){0}, &(struct image){.problem = p},
+                            (double[2]){0.01, 0.01}, &f, &why))
             fail_msg("%s", why.text);
         assert_int_equal(f.n, 121);
         assert_true(f.x[0][0] == p.lo[0] && f.x[0][10] == p.hi[0] && f.x[1][120] == p.hi[1] && f.x[1][5] == p.lo[1]);
-        assert_true(f.T[21] == 30 && f.weight[21] == 11);
+        assert_true(f.T[21] == 30 && f.weight[21] == 11 / 8.0);
         field_free(&f);
+    }
+}
+
+/* rod-gauss with weights of any size: the same errors but for rounding, or a line that is refused. */
+static void weights_of_any_size_are_scaled(void **state) {
+    (void)state;
+    static const struct {
+        double w[2]; /* of the points but one, and of that one */
+        const char *says;
+    } row[] = {{{1e306, 1e306}, NULL},
+               {{1e-320, 2e-320}, NULL},
+               {{1e300, 1e-5}, NULL},
+               {{0, 0}, "all weights w are 0"},
+               {{1e300, 1e-10}, "line 9: w = 1e-10 beside a largest of 1e+300"},
+               {{1, -1e-300}, "line 9: w = -1e-300; a weight must be 0 or more"}};
+    struct problem p;
+    struct failure why;
+    scene_defaults(scene_find("rod-gauss"), &p);
+    assert_int_equal(scene_find("rod-gauss")->setup(&p, &why), 0);
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        struct field f;
+        FILE *out = fopen(path, "w");
+        fprintf(out, "x,T,w\n");
+        for (int k = 0; k < 30; k++)
+            fprintf(out, "%.17g,1.5,%.17g\n", p.lo[0] + (k + 0.5) / 30 * (p.hi[0] - p.lo[0]), row[i].w[k == 7]);
+        fclose(out);
+        const double dx = (p.hi[0] - p.lo[0]) / 30;
+        int status =
+            field_file_read(path, "out", &(struct column_map){0}, &(struct image){.problem = p}, &dx, &f, &why);
+        assert_int_equal(status, row[i].says ? STATUS_INPUT : STATUS_OK);
+        if (row[i].says) assert_has(why.text, row[i].says);
+        if (row[i].says) continue;
+        assert_near(f.weight[7] / f.weight[8], row[i].w[1] / row[i].w[0], 1e-15);
+        assert_true(fmax(f.weight[7], f.weight[8]) >= 1 && fmax(f.weight[7], f.weight[8]) < 2);
+        field_free(&f);
+    }
+}
+
+/* Start and walls of rod-gauss are within 0 to 1 K or so: 1e11 K is an error, 1e30 K an overflow. */
+static void overflow_is_named(void **state) {
+    (void)state;
+    struct problem p;
+    struct failure why;
+    scene_defaults(scene_find("rod-gauss"), &p);
+    assert_int_equal(scene_find("rod-gauss")->setup(&p, &why), 0);
+    for (int large = 0; large < 2; large++) {
+        struct field f;
+        const double dx = (p.hi[0] - p.lo[0]) / 30;
+        FILE *out = fopen(path, "w");
+        fprintf(out, "x,T\n");
+        for (int k = 0; k < 30; k++) fprintf(out, "%.17g,%g\n", p.lo[0] + (k + 0.5) * dx, large ? -1e30 : 1e11);
+        fclose(out);
+        int status =
+            field_file_read(path, "out", &(struct column_map){0}, &(struct image){.problem = p}, &dx, &f, &why);
+        assert_int_equal(status, large ? STATUS_NUMERICAL : STATUS_OK);
+        if (large) assert_has(why.text, "out, line 2: T = -1e+30 K at x = -14.5 m");
+        if (large) assert_has(why.text, "overflow");
+        if (!large) field_free(&f);
     }
 }
 
@@ -321,6 +381,8 @@ static void points_have_their_coordinates(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_have_their_coordinates),
+        cmocka_unit_test(weights_of_any_size_are_scaled),
+        cmocka_unit_test(overflow_is_named),
         cmocka_unit_test(table_dialects_read_the_same),
         cmocka_unit_test(tables_may_give_weights_and_cost),
         cmocka_unit_test(invalid_tables_name_line_and_column),

@@ -119,6 +119,24 @@ static void cases_are_added_without_replacing_others(void **state) {
     command_free(&r);
 }
 
+/* An end time that was edited after the answer was made. */
+static void an_edited_case_is_refused(void **state) {
+    (void)state;
+    static const char *const edit[] = {"s/^t_end = .*/t_end = 7/", "s/^t_end = 7/t_end = 0.5e1/"};
+    char command[5 * UNIT_PATH], line[400];
+    struct ladder l;
+    snprintf(line, sizeof line, "ladder rod-gauss mine --dx 1,0.5,0.25,0.1 --results %s", dir);
+    for (int k = 0; k < 2; k++) {
+        snprintf(command, sizeof command,
+                 "sed '%s' %s/rod-gauss/0.25/case >%s/new && mv %s/new %s/rod-gauss/0.25/case", edit[k], dir, dir,
+                 dir, dir);
+        assert_int_equal(system(command), 0);
+        climb(line, &l, k ? 0 : STATUS_INPUT);
+        if (!k)
+            assert_has(l.rung[2].failure.text, "t_end = 7, where this command has 5: the answer beside it is of ");
+    }
+}
+
 /* dy is written to the case and read from it; 20 by 7 cells of 0.05 m by 0.1 m, for which 19 by 6 points are the
  * minimum. */
 static void a_second_spacing_is_kept(void **state) {
@@ -232,9 +250,13 @@ static void vary_sets_a_parameter_of_the_program(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(judging_later_gives_the_same_verdicts),    cmocka_unit_test(missing_answers_are_listed),
-        cmocka_unit_test(cases_are_added_without_replacing_others), cmocka_unit_test(a_second_spacing_is_kept),
-        cmocka_unit_test(spacings_are_along_the_axes_of_the_case),  cmocka_unit_test(draws_are_judged_later),
+        cmocka_unit_test(judging_later_gives_the_same_verdicts),
+        cmocka_unit_test(missing_answers_are_listed),
+        cmocka_unit_test(cases_are_added_without_replacing_others),
+        cmocka_unit_test(an_edited_case_is_refused),
+        cmocka_unit_test(a_second_spacing_is_kept),
+        cmocka_unit_test(spacings_are_along_the_axes_of_the_case),
+        cmocka_unit_test(draws_are_judged_later),
         cmocka_unit_test(vary_sets_a_parameter_of_the_program),
     };
     char command[UNIT_PATH + 32];
