@@ -4,7 +4,6 @@
 
 #include "solver/status.h"
 #include "verification/solve/process.h"
-#include "verification/solve/scratch.h"
 #include "verification/text/output.h"
 
 #include <errno.h>
@@ -89,14 +88,14 @@ static int keep_status(const char *dir, int code, struct failure *why) {
     return output_close(&page, 1, why);
 }
 
-int case_run(const struct case_run *c, struct scratch *scratch, int *code, struct failure *why) {
+int case_run(const struct case_run *c, const char *scratch, int *code, struct failure *why) {
     char input[PATH_SIZE], output[PATH_SIZE], log[PATH_SIZE];
     *code = -1;
     *why = (struct failure){0};
     if (remove_old(c->dir, why)) return why->status;
     char *command = fill_in(c, path_in(c->dir, "case", input), path_in(c->dir, parts[0][0], output));
     struct process process = {
-        .command = command, .label = c->label, .scratch = scratch, .timeout = c->timeout, .code = code};
+        .command = command, .label = c->label, .dir = scratch, .timeout = c->timeout, .code = code};
     if (!(process.log = fopen(path_in(c->dir, "log", log), "w")))
         refuse(why, STATUS_INPUT, "cannot write '%.300s': %s", log, strerror(errno));
     else

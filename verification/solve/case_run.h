@@ -12,7 +12,6 @@
  * An interrupted case has no status, and an existing answer is complete. */
 
 struct failure;
-struct scratch;
 
 struct case_run {
     const char *dir;
@@ -24,8 +23,8 @@ struct case_run {
 };
 
 /* Returns the status of process_run, or STATUS_INPUT if the directory cannot be written; *code is the exit status,
- * -1 if there is none. *scratch is the program's TMPDIR; the caller holds interrupts (text/output.h). */
-int case_run(const struct case_run *c, struct scratch *scratch, int *code, struct failure *why);
+ * -1 if there is none. `scratch` is the program's TMPDIR; the caller holds interrupts (text/output.h). */
+int case_run(const struct case_run *c, const char *scratch, int *code, struct failure *why);
 
 /* The exit status recorded in `dir`; -1 for none. */
 int case_run_status(const char *dir);

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A program has ended when every process that inherited a pipe from it has ended.  That pipe, the life line, carries
- * no data.  Waiting for the shell alone would let this program read what a background process is still writing. */
+/* A program has ended when no process of its group is left.  Waiting for the shell alone would let this program read
+ * what a background process is still writing. */
 #include "verification/solve/process.h"
 
 #include "solver/status.h"
-#include "verification/solve/scratch.h"
 #include "verification/text/output.h"
 #include "verification/text/utf8.h"
 
@@ -21,21 +20,21 @@
 
 extern char **environ;
 
-enum { LINE = 400, GUARD = 8, LIFE = 9, READ = 0, WRITE = 1, SKIPPED = 77, OVERDUE = 124, SIGNALLED = 128 };
+enum { LINE = 400, SKIPPED = 77, OVERDUE = 124, SIGNALLED = 128 };
 static const double GRACE = 2;  /* s that processes started by a program may outlive it */
 static const double MERCY = 1;  /* s from SIGTERM to SIGKILL */
-static const int PATIENCE = 20; /* ms between two polls */
+static const int PATIENCE = 20; /* ms between two looks */
 enum {
     AT_ONCE = 4,
     AT_END = 512
-}; /* blocks of output per poll; and a number that exceeds the capacity of any pipe */
+}; /* blocks of output per look; and a number that exceeds the capacity of any pipe */
 
-enum end { RUNNING, ENDED, LEFT_OTHERS, TIMED_OUT, INTERRUPTED };
+enum end { ENDED, LEFT_OTHERS, TIMED_OUT, INTERRUPTED };
 
 struct running {
     const struct process *process;
     pid_t child;
-    int output[2], life[2];
+    int output;         /* read end of the pipe that it prints to; -1 once that has ended */
     int reaped, status; /* the state of the shell */
     double start, end;  /* s */
     char line[LINE];    /* the line being printed */
@@ -43,12 +42,11 @@ struct running {
     char last[LINE]; /* the last line that is not blank */
 };
 
-/* The shell itself reports its process group to the guard before the command starts: if this program reported it and
- * were killed in between, the command would keep running.  $0 is the command, $1 its TMPDIR. */
-static const char starter[] = "export TMPDIR=\"$1\"; echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
-
-static int spawn(struct running *r) {
-    char *argv[] = {"sh", "-c", (char *)starter, (char *)r->process->command, r->process->scratch->dir, NULL};
+/* $0 is the command, $1 its TMPDIR. */
+static int spawn(struct running *r, int out) {
+    char *argv[] = {
+        "sh", "-c", "TMPDIR=\"$1\" exec /bin/sh -c \"$0\"", (char *)r->process->command, (char *)r->process->dir,
+        NULL};
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
     sigset_t ignored; /* ignored by this program, not by the command */
@@ -59,43 +57,25 @@ static int spawn(struct running *r) {
     sigaddset(&ignored, SIGXFSZ);
     posix_spawnattr_setsigdefault(&how, &ignored);
     int error = posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDOUT_FILENO);
-    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDERR_FILENO);
-    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->process->scratch->pipe, GUARD);
-    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->life[WRITE], LIFE);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, out, STDERR_FILENO);
     if (!error) error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, environ);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&how);
     return error;
 }
 
-static void close_pipes(struct running *r) {
-    for (int i = 0; i < 2; i++) {
-        if (r->output[i] >= 0) close(r->output[i]);
-        if (r->life[i] >= 0) close(r->life[i]);
-        r->output[i] = r->life[i] = -1;
-    }
-}
-
-/* Returns 0 or an errno.  No other program started at the same time may inherit an end of these pipes. */
+/* Returns 0 or an errno. */
 static int start(struct running *r) {
-    int error = 0;
-#pragma omp critical(foreign_spawn)
-    {
-        if (pipe(r->output) || pipe(r->life)) error = errno;
-        for (int i = 0; i < 2 && !error; i++)
-            if ((r->output[i] = scratch_descriptor(r->output[i])) < 0 ||
-                (r->life[i] = scratch_descriptor(r->life[i])) < 0)
-                error = errno;
-        if (!error) fcntl(r->output[READ], F_SETFL, O_NONBLOCK);
-        if (!error) error = spawn(r);
-    }
-    if (error) return error;
-    close(r->output[WRITE]);
-    close(r->life[WRITE]);
-    r->output[WRITE] = r->life[WRITE] = -1;
+    int ends[2];
+    if (pipe(ends)) return errno;
+    for (int i = 0; i < 2; i++) fcntl(ends[i], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    r->output = ends[0];
+    int error = spawn(r, ends[1]);
+    close(ends[1]);
     r->start = omp_get_wtime();
-    return 0;
+    return error;
 }
 
 /* Prints the first `length` bytes of the line, cleaned: the text is foreign and must not control the terminal. */
@@ -123,44 +103,33 @@ static void take_text(struct running *r, const char *text, size_t n) {
 
 /* Passes on what the program has printed so far, with lines longer than the buffer in parts.  It reads at most
  * `most` blocks: a program that prints without end would otherwise keep the caller from timeouts and interrupts. */
-static void relay(struct running *r, int most) {
+static void pass_on(struct running *r, int most) {
     char text[4096];
     ssize_t n = 1;
-    while (most-- > 0 && (n = read(r->output[READ], text, sizeof text)) > 0) {
+    while (most-- > 0 && r->output >= 0 && (n = read(r->output, text, sizeof text)) > 0) {
         if (r->process->log) fwrite(text, 1, (size_t)n, r->process->log);
         take_text(r, text, (size_t)n);
     }
-    if (n > 0) return;
-    if (n == 0 || (errno != EAGAIN && errno != EINTR)) {
-        close(r->output[READ]);
-        r->output[READ] = -1;
-    }
+    if (n > 0 || (n < 0 && (errno == EAGAIN || errno == EINTR))) return;
+    close(r->output);
+    r->output = -1;
 }
 
-static void reap(struct running *r) {
-    if (r->reaped || waitpid(r->child, &r->status, WNOHANG) != r->child) return;
-    r->reaped = 1;
-    r->end = omp_get_wtime();
-}
-
-/* Waits at most `most` ms for output or the end of the life line. */
-static void look(struct running *r, int most) {
-    struct pollfd fd[2] = {{.fd = r->life[READ], .events = POLLIN}, {.fd = r->output[READ], .events = POLLIN}};
-    if (r->life[READ] < 0) most = 1; /* only the exit status of the shell is outstanding */
-    if (poll(fd, 2, most) > 0) {
-        if (fd[1].fd >= 0 && fd[1].revents) relay(r, AT_ONCE);
-        if (fd[0].fd >= 0 && fd[0].revents) {
-            close(r->life[READ]);
-            r->life[READ] = -1;
-        }
-    }
-    reap(r);
+/* Waits a little, at most until there is output; returns 1 if the whole group has ended.  Its processes become
+ * children of this program where that is the first of a container. */
+static int look(struct running *r) {
+    int status;
+    pid_t ended;
+    poll(&(struct pollfd){.fd = r->output, .events = POLLIN}, 1, r->output < 0 ? 1 : PATIENCE);
+    pass_on(r, AT_ONCE);
+    while ((ended = waitpid(-r->child, &status, WNOHANG)) > 0)
+        if (ended == r->child) r->reaped = 1, r->status = status, r->end = omp_get_wtime();
+    return r->reaped && kill(-r->child, 0) != 0;
 }
 
 static enum end follow(struct running *r) {
     for (;;) {
-        look(r, PATIENCE);
-        if (r->reaped && r->life[READ] < 0) return ENDED;
+        if (look(r)) return ENDED;
         if (output_noted()) return INTERRUPTED;
         if (r->reaped && omp_get_wtime() > r->end + GRACE) return LEFT_OTHERS;
         if (r->process->timeout > 0 && omp_get_wtime() > r->start + r->process->timeout) return TIMED_OUT;
@@ -170,9 +139,10 @@ static enum end follow(struct running *r) {
 static void terminate(struct running *r) {
     double deadline = omp_get_wtime() + MERCY;
     kill(-r->child, SIGTERM);
-    while (!(r->reaped && r->life[READ] < 0) && omp_get_wtime() < deadline) look(r, PATIENCE);
+    while (omp_get_wtime() < deadline)
+        if (look(r)) return;
     kill(-r->child, SIGKILL);
-    while (!r->reaped) look(r, PATIENCE);
+    while (!r->reaped) look(r);
 }
 
 static int judge(const struct running *r, enum end end, struct failure *why) {
@@ -207,19 +177,19 @@ static int code_of(const struct running *r, enum end end) {
 
 int process_run(const struct process *p, struct failure *why) {
     struct running *r = xcalloc(1, sizeof *r);
-    *r = (struct running){.process = p, .output = {-1, -1}, .life = {-1, -1}};
+    *r = (struct running){.process = p, .output = -1};
     int error = start(r), status;
     if (error) {
         status = refuse(why, STATUS_INPUT, "--solver '%.200s': %s", p->command, strerror(error));
     } else {
         enum end end = follow(r);
         if (end != ENDED) terminate(r);
-        if (r->output[READ] >= 0) relay(r, AT_END);
+        pass_on(r, AT_END);
         if (r->length) print_line(r, r->length);
         status = judge(r, end, why);
         *p->code = code_of(r, end);
     }
-    close_pipes(r);
+    if (r->output >= 0) close(r->output);
     free(r);
     return status;
 }

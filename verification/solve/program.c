@@ -18,12 +18,10 @@
 #include "verification/text/output.h"
 #include "verification/text/shell.h"
 
-#include <errno.h>
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 const char program_help[] =
@@ -90,16 +88,6 @@ static int read_answer(const struct program *g, const char *path, const char *na
 
 /* ---- Running a solver ---- */
 
-static int make_directories(char *path, struct failure *why) {
-    for (char *slash = strchr(path + 1, '/');; slash = strchr(slash + 1, '/')) {
-        if (slash) *slash = '\0';
-        int bad = mkdir(path, 0777) && errno != EEXIST, error = errno;
-        if (slash) *slash = '/';
-        if (bad) return refuse(why, STATUS_INPUT, "--keep: cannot make '%.300s': %s", path, strerror(error));
-        if (!slash) return STATUS_OK;
-    }
-}
-
 /* Sets DIR/SCENE/SETTING/DX/RUNG below `root`.  Returns 0, or -1 if the path is too long. */
 static int place_below(const struct program *g, const char *root, const struct scene *s, const struct options *o,
                        char dir[RESULTS_PATH]) {
@@ -116,7 +104,9 @@ static int kept_place(const struct program *g, const struct scene *s, const stru
     if (!shell_is_plain(dir))
         return refuse(why, STATUS_INPUT, "--keep '%.200s': letters, digits and /._-+=,@%% are wanted in its name",
                       g->keep);
-    return make_directories(dir, why);
+    char file[RESULTS_PATH + 8];
+    snprintf(file, sizeof file, "%s/case", dir);
+    return output_folders(file, why);
 }
 
 /* Sets the text of the case file, which the caller frees. */
@@ -130,14 +120,14 @@ static void case_text(const struct program *g, const struct scene *s, const stru
 }
 
 static int run_in(const struct program *g, const struct options *o, const char *dir, const char *text,
-                  const char *label, struct scratch *scratch, int *code, struct failure *why) {
+                  const char *label, const struct scratch *scratch, int *code, struct failure *why) {
     char dx[40];
     struct output page;
     results_number(o->dx, dx);
     fputs(text, output_open(&page, "%s/case", dir));
     if (output_close(&page, 1, why)) return why->status;
     struct case_run run = {dir, g->solver, dx, *g->vary ? g->vary : NULL, g->value, label, g->timeout};
-    return case_run(&run, scratch, code, why);
+    return case_run(&run, scratch->dir, code, why);
 }
 
 /* Runs the case when its turn comes, in the directory of --keep or in a scratch directory; sets `dir` to it. */

@@ -218,6 +218,7 @@ static int write_one(const char *dir, const struct mapping *map, int seed, const
     if (old && !same && case_run_answer(dir, answer, sizeof answer))
         status = refuse(why, STATUS_INPUT,
                         "%.300s: an answer to another case is there; remove it, or take another --into", dir);
+    if (!same && !status) status = output_folders(page.path, why);
     if (!same && !status) status = output_close(&page, 1, why);
     output_drop(&page, 1);
     free(old);
@@ -229,12 +230,6 @@ static int has_line(const char *list, const char *line) {
     for (const char *at = list; (at = strstr(at, line)); at += length)
         if ((at == list || at[-1] == '\n') && (at[length] == '\n' || at[length] == '\0')) return 1;
     return 0;
-}
-
-static int make(const char *path, struct failure *why) {
-    int error = mkdir(path, 0777) ? errno : 0;
-    if (!error || is_directory(path)) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "--into: cannot make the directory '%.300s': %s", path, strerror(error));
 }
 
 /* Reads the next of the numbers separated by commas, as typed; a fraction contains a slash, which a name cannot. */
@@ -269,7 +264,7 @@ static int write_draws(const struct results_place *at, char path[RESULTS_PATH], 
     size_t used = strlen(path);
     for (int seed = at->seeds > 0; seed <= at->seeds; seed++, ++*written) {
         if (seed) snprintf(path + used, RESULTS_PATH - used, "/seed=%d", seed);
-        if (make(path, why) || write_one(path, at->map, seed, s, p, o, why)) return why->status;
+        if (write_one(path, at->map, seed, s, p, o, why)) return why->status;
         if (!has_line(known, path)) fprintf(list, "%s\n", path);
     }
     return STATUS_OK;
@@ -280,16 +275,13 @@ static int write_all(const struct results_place *at, const struct scene *s, cons
                      struct failure *why) {
     char of_scene[RESULTS_PATH], path[RESULTS_PATH], name[64];
     struct options with = *o;
-    results_of_scene(at->dir, s, "", path);
     results_of_scene(at->dir, s, at->setting, of_scene);
-    if (make(path, why) || make(of_scene, why)) return STATUS_INPUT;
     *written = 0;
     while (dx) {
         dx = next_name(dx, &with.dx, name);
         snprintf(path, sizeof path, "%.850s/%s", of_scene, name);
-        if (make(path, why)) return why->status;
         if (*at->rung) words_add(path, sizeof path, "/%.80s", at->rung);
-        if (make(path, why) || write_draws(at, path, s, p, &with, known, list, written, why)) return why->status;
+        if (write_draws(at, path, s, p, &with, known, list, written, why)) return why->status;
     }
     return STATUS_OK;
 }
@@ -297,7 +289,9 @@ static int write_all(const struct results_place *at, const struct scene *s, cons
 int results_write(const struct results_place *at, const struct scene *s, const struct problem *p,
                   const struct options *o, const char *dx, int *written, struct failure *why) {
     struct output page;
-    if (check_all(at, s, p, o, dx, why) || make(at->dir, why)) return why->status;
+    char file[RESULTS_PATH + 16];
+    snprintf(file, sizeof file, "%s/cases.txt", at->dir);
+    if (check_all(at, s, p, o, dx, why) || output_folders(file, why)) return why->status;
     int lock = open(at->dir, O_RDONLY | O_CLOEXEC); /* other processes may write the same list */
     if (lock >= 0) flock(lock, LOCK_EX);
     FILE *list = output_open(&page, "%.1000s/cases.txt", at->dir);

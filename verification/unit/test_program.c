@@ -3,8 +3,6 @@
 #include "verification/solve/program.h"
 
 #include "verification/judge/command.h"
-#include "verification/solve/process.h"
-#include "verification/solve/scratch.h"
 #include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
@@ -164,13 +162,12 @@ static int wait_for(const char *dir, size_t wanted) {
     return -1;
 }
 
-/* SIGKILL too: the guard of the scratch directory removes it. */
 static void signals_end_the_program_and_remove_its_files(void **state) {
     (void)state;
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGKILL};
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     char dir[UNIT_PATH];
     assert_non_null(scratch_directory(dir, "program-test"));
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 3; i++) {
         int status;
         pid_t child = fork();
         assert_order(child, >=, 0);
@@ -191,22 +188,6 @@ static void signals_end_the_program_and_remove_its_files(void **state) {
     assert_int_equal(remove(dir), 0);
 }
 
-/* The guard learns the process group from the program itself. */
-static void lost_guard_process_is_a_failure(void **state) {
-    (void)state;
-    struct failure why = {0};
-    struct scratch scratch;
-    int code;
-    struct process process = {.command = "exit 0", .label = "it", .scratch = &scratch, .code = &code};
-    assert_int_equal(scratch_open(&scratch, &why), STATUS_OK);
-    kill(scratch.guard, SIGKILL);
-    waitpid(scratch.guard, NULL, 0);
-    signal(SIGPIPE, SIG_DFL);
-    assert_int_equal(process_run(&process, &why), STATUS_NUMERICAL);
-    assert_int_equal(remove(scratch.dir), 0);
-    close(scratch.pipe);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_same_scheme_gives_the_same_errors),
@@ -216,7 +197,6 @@ int main(void) {
         cmocka_unit_test(a_program_ends_with_its_children_and_in_time),
         cmocka_unit_test(scratch_files_are_removed),
         cmocka_unit_test(signals_end_the_program_and_remove_its_files),
-        cmocka_unit_test(lost_guard_process_is_a_failure),
     };
     return cmocka_run_group_tests_name("program", tests, NULL, NULL);
 }
