@@ -6,7 +6,6 @@
 #include "verification/text/output.h"
 #include "verification/cli/battery_options.h"
 #include "verification/gates/gate_file.h"
-#include "verification/fault/headline.h"
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
 #include "verification/text/shell.h"
@@ -62,14 +61,13 @@ static void gate_json(const struct gate_result *r, struct json *j) {
 static int write_json(const struct gates *g, const char *path, struct failure *why) {
     struct output page;
     struct json j = json_on(output_open(&page, "%s", path));
-    char made[PAGE_ORIGIN], diagnosis[HEADLINE_TEXT];
+    char made[PAGE_ORIGIN];
     page_origin(made, sizeof made);
-    gates_diagnosis(g, diagnosis, sizeof diagnosis);
     json_text(&j, "made", made);
     json_whole(&j, "declared", g->interrupted ? g->planned : g->declared);
     json_whole(&j, "executed", g->executed - gates_tally(g, NULL).skipped);
     if (g->interrupted) json_whole(&j, "interrupted", g->interrupted);
-    json_text(&j, "diagnosis", *diagnosis ? diagnosis : NULL);
+    json_text(&j, "diagnosis", *g->diagnosis ? g->diagnosis : NULL);
     json_array(&j, "gates");
     for (int i = 0; i < g->declared; i++) gate_json(&g->result[i], &j);
     json_end(&j);
@@ -153,6 +151,7 @@ static int verify(const struct verify_options *r, struct gate_file *file, struct
         gates_cut(g, output_noted());
         fprintf(stderr, "heatladder: interrupted: %d of %d gates judged\n", g->executed, g->planned);
     }
+    gates_diagnose(g);
     return status ? status : write_all(g, r, omp_get_wtime() - start, why);
 }
 

@@ -1,27 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The choice of one fault among the fits: no other explains more of the error, and its size follows the spacing. */
+/* One row: the fault among the fits that no other beats and whose size follows the spacing; and faults that have a
+ * test of their own. */
 #include "verification/fault/diagnosis.h"
 
 #include "solver/field.h"
-#include "verification/fault/fault_fits.h"
+#include "solver/status.h"
+#include "verification/fault/fit.h"
+#include "verification/fault/response.h"
 #include "verification/fault/wording.h"
 #include "verification/text/json.h"
+#include "verification/text/number.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double INDISTINCT = 0.02; /* faults whose shares differ by less cannot be distinguished */
 
 static int stays(const struct fault_fit *c) {
-    return c->drift <= log(1 + FAULT_STEADY) && c->coarse.share >= FIT_SHARE - INDISTINCT;
+    return c->drift <= log(1 + FIT_STEADY) && c->rung[1].share >= FIT_SHARE - INDISTINCT;
 }
 
 /* Faults that a more common fault often explains as well: a clock with the same offset at every spacing (T depends
  * on kappa t only: a conductivity), and a coefficient of arbitrary size (one in the place of another). */
 static int is_rare(const struct fault_fit *c) {
-    int end = c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0;
-    return end || c->fault.kind == FAULT_AXIS || c->fault.kind == FAULT_RHO_C;
+    return (c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0) || fault_rows[c->fault.kind].is & FAULT_RARE;
 }
 
 /* 1 if a is preferred to b: its size is more nearly constant or, if both are equally constant, it explains more. */
@@ -29,55 +34,36 @@ static int is_better(const struct fault_fit *a, const struct fault_fit *b) {
     static const double AS_WELL = 0.01;
     if (is_rare(a) != is_rare(b)) return is_rare(b);
     if (fabs(a->drift - b->drift) > AS_WELL) return a->drift < b->drift;
-    return a->fine.share > b->fine.share;
+    return a->rung[0].share > b->rung[0].share;
 }
 
-unsigned diagnosis_sides(const struct problem *p, struct fault fault) {
-    unsigned kinds = 0;
-    for (int s = 0; s < 2 * p->dim; s++) {
-        int across = fault.kind == FAULT_EXTENT && (s / 2 == fault.axis || fault.axis >= FAULT_BOTH_AXES);
-        int held =
-            fault.kind == FAULT_WALL && (s == fault.axis || (fault.axis == FAULT_ALL_SIDES && p->side[s] == NEUMANN));
-        if (across || held) kinds |= 1u << p->side[s];
-    }
-    return kinds;
-}
-
-/* The kind of mean whose effect is the fraction `found` of the arithmetic mean's effect at a contact; effects are
- * proportional to 1/k - 1/harmonic.  It is the nearer of two, and another one if it is on the harmonic side of the
- * geometric mean by half of their distance.  A size is known to half of FAULT_STEADY: nearer means are not
- * distinguished.
- */
-static int mean_of(const struct problem *p, double found) {
-    double a = p->material[0].k[0], b = p->material[1].k[0], harmonic = (1 / a + 1 / b) / 2;
-    double geometric = (1 / sqrt(a * b) - harmonic) / (2 / (a + b) - harmonic);
+/* The kind of mean whose effect is the fraction `found` of the arithmetic mean's effect at a contact.  It is the
+ * nearer of two, and another one if it is on the harmonic side of the geometric mean by half of their distance.  A
+ * size is known to half of FIT_STEADY: nearer means are not distinguished. */
+static int mean_of(double geometric, double found) {
     double way = (found - geometric) / (1 - geometric); /* 0: geometric, 1: arithmetic */
-    if (1 - geometric < FAULT_STEADY / 2) return MEAN_IS_EITHER;
+    if (1 - geometric < FIT_STEADY / 2) return MEAN_IS_EITHER;
     return way > 0.5 ? MEAN_IS_ARITHMETIC : way > -0.5 ? MEAN_IS_GEOMETRIC : MEAN_IS_OTHER;
 }
 
-static void name(const struct problem *p, const struct fault_fit *c, const struct diagnosis_rung *fine,
-                 struct diagnosis *d) {
-    int no_size = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_SAMPLES;
-    d->named = 1;
-    d->fault = c->fault;
-    d->size = c->fine.size / c->unit[0] * (c->name[0] == '%' ? 100 : 1);
-    d->unit = no_size ? "" : c->name;
-    d->share = c->fine.share;
-    d->sides = diagnosis_sides(p, c->fault);
-    d->fourier = fine->dt * problem_diffusivity(p) / (fine->dx * fine->dx);
-    if (c->fault.kind == FAULT_MEAN) d->fault.axis = mean_of(p, c->fine.size / c->unit[0]);
-    wording_fault(d);
-    d->is_pace = c->fault.kind == FAULT_CONDUCTIVITY && fault_is_pace(p); /* said where no other row excludes it */
+struct diagnosis diagnosis_of(const struct fault_fit *c, const char *unit, double size) {
+    struct diagnosis d = {
+        .named = 1, .fault = c->fault, .size = size * (unit[0] == '%' ? 100 : 1), .sides = c->sides};
+    d.unit = fault_rows[c->fault.kind].unit == UNIT_WHOLE ? "" : unit;
+    d.fourier = c->step[0] / c->diffusive[0];
+    if (c->fault.kind == FAULT_MEAN) d.fault.at = mean_of(c->geometric, size);
+    wording_fault(&d);
+    d.is_pace = c->is_pace; /* said where no other row excludes it */
+    return d;
 }
 
 /* A clock that is wrong by one step at one of the two rungs and right at the other. */
 static int is_off_at_one(const struct fault_fit *c, struct diagnosis *d) {
     if (c->fault.kind != FAULT_CLOCK || strcmp(c->name, "steps") != 0) return 0;
     for (int k = 0; k < 2; k++) {
-        const struct fit *off = k ? &c->coarse : &c->fine;
-        double steps = c->steps[k];
-        if (fabs(fabs(steps) - 1) > FAULT_STEADY || fabs(c->steps[1 - k]) > FAULT_STEADY || off->share < FIT_SHARE ||
+        const struct fit *off = &c->rung[k];
+        double steps = off->size / c->step[k], other = c->rung[1 - k].size / c->step[1 - k];
+        if (fabs(fabs(steps) - 1) > FIT_STEADY || fabs(other) > FIT_STEADY || off->share < FIT_SHARE ||
             off->part < FIT_MOST)
             continue;
         *d = (struct diagnosis){.named = 1,
@@ -91,22 +77,23 @@ static int is_off_at_one(const struct fault_fit *c, struct diagnosis *d) {
     return 0;
 }
 
-void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
-                    struct diagnosis *d) {
-    struct fault_fit c[FAULT_FITS];
-    int n = fault_fits_all(p, (const struct diagnosis_rung[]){*fine, *coarse}, c), best = -1;
+void diagnosis_choose(const struct evidence *found, struct diagnosis *d) {
+    const int n = found ? found->n : 0;
+    const struct fault_fit *c = found ? found->fit : NULL;
+    int best = -1;
     double most = 0;
     *d = (struct diagnosis){.unit = ""};
     for (int i = 0; i < n; i++)
-        if (c[i].fine.part >= FIT_MOST) most = fmax(most, c[i].fine.share);
+        if (c[i].rung[0].part >= FIT_MOST) most = fmax(most, c[i].rung[0].share);
     d->share = most;
     for (int i = 0; i < n; i++) {
-        if (c[i].fine.part < FIT_MOST || c[i].fine.share < fmax(FIT_SHARE, most - INDISTINCT) || !stays(&c[i]))
-            continue;
+        const struct fit *fine = &c[i].rung[0];
+        if (fine->part < FIT_MOST || fine->share < fmax(FIT_SHARE, most - INDISTINCT) || !stays(&c[i])) continue;
         if (best < 0 || is_better(&c[i], &c[best])) best = i;
     }
     if (best >= 0) {
-        name(p, &c[best], fine, d);
+        *d = diagnosis_of(&c[best], c[best].name, c[best].rung[0].size / c[best].unit[0]);
+        d->share = c[best].rung[0].share;
         return;
     }
     for (int i = 0; i < n; i++)
@@ -114,15 +101,41 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
     if (most >= FIT_SHARE)
         snprintf(d->what, sizeof d->what,
                  "no usual fault: what looks like one has a size that changes with the spacing%s",
-                 fine->dt > 0 ? "" : "; `# steps = N` in the answer would show whether it is the clock");
+                 c[0].step[0] > 0 ? "" : "; `# steps = N` in the answer would show whether it is the clock");
     else if (most > 0)
         snprintf(d->what, sizeof d->what, "no usual fault explains more than %.0f %% of the error", 100 * most);
     else
         snprintf(d->what, sizeof d->what, "no usual fault explains more than a correct code's own part of the error");
 }
 
+/* The sides next to which, in one layer of cells, seven tenths of the squared error are. */
+static unsigned beside(const struct problem *p, const struct diagnosis_rung *r) {
+    static const double MOST = 0.7, LAYER = 1.01; /* cells; a node beside a held wall is one away */
+    double all = 0, layer[SIDES] = {0};
+    unsigned sides = 0;
+    for (size_t i = 0; i < r->field->n; i++) {
+        double x[DIM_MAX], e = r->field->T[i] - r->exact[i];
+        field_place(r->field, i, x);
+        if (!isfinite(e)) continue;
+        all += e * e;
+        for (int s = 0; s < 2 * p->dim; s++)
+            if (fabs(x[s / 2] - (s % 2 ? p->hi[s / 2] : p->lo[s / 2])) < LAYER * r->dx) layer[s] += e * e;
+    }
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (layer[s] > MOST * all) sides |= 1u << s;
+    return sides;
+}
+
+void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
+                    struct diagnosis *d) {
+    struct evidence *found = fit_all(p, (const struct diagnosis_rung[]){*fine, *coarse});
+    diagnosis_choose(found, d);
+    d->evidence = found;
+    d->beside = beside(p, fine);
+}
+
 int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
-    static const double FAR = 100; /* times the size of the solution */
+    static const double FAR = 100, OVERFLOW = 1e20; /* times the size of the solution */
     double largest = 0, exact = 0;
     for (size_t i = 0; i < r->field->n; i++) {
         largest = fmax(largest, fabs(r->field->T[i] - r->exact[i]));
@@ -131,7 +144,8 @@ int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
     int turns = 0; /* sign changes of the error from point to point */
     for (size_t i = 1; i < r->field->n; i++)
         turns += (r->field->T[i] - r->exact[i]) * (r->field->T[i - 1] - r->exact[i - 1]) < 0;
-    if (!(largest > FAR * exact) || !(4 * turns > (int)r->field->n)) return 0;
+    int is_overflow = largest > OVERFLOW * exact;
+    if (!(largest > FAR * exact) || !(is_overflow || 4 * turns > (int)r->field->n)) return 0;
     *d = (struct diagnosis){.named = 1, .fault = {FAULT_UNSTABLE, 0}, .size = largest, .unit = "K", .share = NAN};
     wording_fault(d);
     return 1;
@@ -143,6 +157,119 @@ int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
     *d = (struct diagnosis){.named = 1, .fault = {FAULT_NOISE, 0}, .size = apart, .unit = "K", .share = NAN};
     wording_fault(d);
     return 1;
+}
+
+/* ---- Few digits ----
+ *
+ * An explicit step that changes T by less than half a unit of its last digit, u |T|, changes nothing.  The run
+ * stalls where F times the second difference is that small.  The error of a steady state is therefore up to N^2/8
+ * u/F for N cells, N^2 u at F = 1/8.  A larger error has another cause. */
+
+/* A few round-off errors of the largest value: temperatures mapped back to the scene (references/mapping.h) have
+ * them. */
+static const double CLOSE = 16 * DBL_EPSILON;
+
+int diagnosis_rounding(const struct field *f, double error, double cells, struct diagnosis *d) {
+    enum { MOST = 9, LEAST = 10 }; /* digits; and the number of values that cannot be round by chance */
+    int digits = 0, full = 0;
+    const double off = CLOSE * field_largest(f);
+    char text[NUMBER_PRINTED];
+    for (size_t i = 0; i < f->n && digits <= MOST; i++) {
+        double T = f->T[i];
+        int single = fabs(T - (float)T) <= off;
+        int of = number_digits(T, T == 0 ? 0 : off / fabs(T), MOST, text);
+        if (single && of > FLT_DIG + 1) of = FLT_DIG + 1;
+        full += of >= FLT_DIG;
+        digits = of > digits ? of : digits;
+    }
+    double unit = 0.5 * pow(10, 1 - digits);
+    if (digits > MOST || full < LEAST || !(error <= cells * cells * unit)) return 0;
+    *d = (struct diagnosis){.named = 1, .fault = {FAULT_DIGITS, 0}, .size = digits, .unit = "digits", .share = NAN};
+    wording_fault(d);
+    return 1;
+}
+
+/* ---- Values or means ---- */
+
+/* dx^2/24 laplace(T) of the initial data, K, by differences within the cell; NAN next to a side. */
+static double start_mean(const struct problem *p, const struct diagnosis_rung *r, size_t i) {
+    const double d = r->dx / 8;
+    double at[DIM_MAX], sum = 0;
+    field_place(r->field, i, at);
+    for (int a = 0; a < p->dim; a++) {
+        double above[DIM_MAX] = {at[0], at[1], at[2]}, below[DIM_MAX] = {at[0], at[1], at[2]};
+        above[a] += d, below[a] -= d;
+        if (below[a] < p->lo[a] || above[a] > p->hi[a]) return NAN;
+        sum += p->initial(p, above) - 2 * p->initial(p, at) + p->initial(p, below);
+    }
+    return r->dx * r->dx / 24 * sum / (d * d);
+}
+
+double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *start) {
+    double ee = 0, em = 0, mm = 0;
+    if (p->materials > 1 || p->jumps[0] + p->jumps[1] + p->jumps[2] > 0 || p->source) return NAN;
+    for (size_t i = 0; i < start->field->n; i++) {
+        double e = start->field->T[i] - start->exact[i], m = start_mean(p, start, i);
+        if (isfinite(e) && isfinite(m)) ee += e * e, em += e * m, mm += m * m;
+    }
+    return mm > 0 && ee - em * em / mm <= (1 - FIT_SHARE) * fmax(ee, mm) ? em / mm : NAN;
+}
+
+/* ---- Data of another time ----
+ *
+ * Data of another time than that of their stage, from two answers on one grid whose steps differ by dt.  An error of
+ * order 1 in time differs between them by
+ *
+ *     T_2 - T_1 = n dt R + c h,   0 <= c
+ *
+ * with the response R to data that are taken n steps late, K/s, and h of Euler's method.  The errors in space cancel.
+ */
+
+/* Sum of products over the points. */
+static double product(size_t n, const double *a, const double *b) {
+    double sum = 0;
+    for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+/* Fits `apart` by r and h; returns the share of its square, with the factor of r in *size. */
+static double fit_both(size_t n, const double *apart, const double *r, const double *h, double *size) {
+    double ar = product(n, apart, r), ah = product(n, apart, h), rr = product(n, r, r), rh = product(n, r, h);
+    double hh = product(n, h, h), aa = product(n, apart, apart), det = rr * hh - rh * rh, c = 0;
+    if (!(rr > 0 && aa > 0)) return 0;
+    if (det > 1e-6 * rr * hh) c = (ah * rr - ar * rh) / det;
+    if (c < 0) c = 0;
+    *size = (ar - c * rh) / rr;
+    return (*size * ar + c * ah) / aa;
+}
+
+void diagnosis_steps(const struct problem *p, const struct field *f, const double *apart, double dt,
+                     struct diagnosis *d) {
+    static const double SAME = 0.25;
+    static const enum fault_kind kinds[] = {FAULT_WALL_TIME, FAULT_SOURCE_TIME};
+    struct response_lattice l;
+    *d = (struct diagnosis){.unit = "steps"};
+    if (!(dt > 0) || response_lattice_create(p, &l)) return;
+    double *array[3], size; /* base, h, R */
+    for (int k = 0; k < 3; k++) array[k] = xcalloc(f->n, sizeof **array);
+    response_base(p, &l, f, array[0], array[1]);
+    double best = FIT_SHARE, euler = fit_both(f->n, apart, array[1], array[1], &size);
+    double due = dt * problem_diffusivity(p) / (l.dx * l.dx);
+    int is_euler = euler >= FIT_SHARE && fabs(fabs(size) / due - 1) < SAME; /* explicit or implicit steps */
+    for (int k = 0; k < 2 && !is_euler; k++) {
+        struct fault fault = {kinds[k], 0};
+        struct response r;
+        if (response_take(p, &l, fault, 0, &r)) continue;
+        response_at(&r, &l, f, array[0], array[2]);
+        response_free(&r);
+        double share = fit_both(f->n, apart, array[2], array[1], &size);
+        if (share < best) continue;
+        best = share;
+        d->named = 1, d->fault = fault, d->size = size / dt, d->share = share;
+    }
+    for (int k = 0; k < 3; k++) free(array[k]);
+    response_lattice_free(&l);
+    if (d->named) wording_fault(d);
 }
 
 void diagnosis_json(const struct diagnosis *d, struct json *j) {

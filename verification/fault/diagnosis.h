@@ -4,6 +4,8 @@
 
 #include "verification/fault/fault.h"
 
+struct evidence;
+struct fault_fit;
 struct field;
 struct json;
 
@@ -17,7 +19,7 @@ struct diagnosis_rung {
     double mean; /* difference between the answers and point values, in units of dx^2/24 laplace(T); NAN: unknown */
 };
 
-/* Means of two conductivities that a code may use instead of the harmonic mean: `axis` of a diagnosed FAULT_MEAN. */
+/* Means of two conductivities that a code may use instead of the harmonic mean: `at` of a diagnosed FAULT_MEAN. */
 enum { MEAN_IS_ARITHMETIC, MEAN_IS_GEOMETRIC, MEAN_IS_EITHER, MEAN_IS_OTHER };
 
 struct diagnosis {
@@ -28,8 +30,10 @@ struct diagnosis {
     double share;     /* share of the squared error, 0 to 1, at the finest rung; NAN if another criterion applies */
     double fourier;   /* dt kappa/dx^2 of the finest rung; 0: unknown */
     int is_pace;      /* 1: a conductivity, in a problem where longer steps have the same effect */
-    unsigned sides;   /* 1 << enum side_kind of each side to which the fault applies; 0: none */
-    char what[240];   /* "as if the run had stopped 0.98 steps early"; without a fault the reason why none is named */
+    unsigned sides;   /* fault_sides */
+    unsigned beside;  /* 1 << s of each side next to whose cells nearly all of the error is */
+    struct evidence *evidence; /* fits of all faults, to be freed by the owner; NULL: none */
+    char what[240]; /* "as if the run had stopped 0.98 steps early"; without a fault the reason why none is named */
 };
 
 /* Estimates `mean` of that code's rungs from an answer at such an early time that T is still the initial one; NAN if
@@ -42,19 +46,18 @@ double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *star
 void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
                     struct diagnosis *d);
 
+/* The same from the fits of all faults; NULL: there are none. */
+void diagnosis_choose(const struct evidence *found, struct diagnosis *d);
+
+/* The fault of *c with that size in a unit of fit_unit_names. */
+struct diagnosis diagnosis_of(const struct fault_fit *c, const char *unit, double size);
+
 /* Names data that are taken a part of a step late or early, from the difference of two answers on one grid: `apart`,
  * K, at the points of *f, whose steps differ by dt, s, the one with longer steps less the other. */
 void diagnosis_steps(const struct problem *p, const struct field *f, const double *apart, double dt,
                      struct diagnosis *d);
 
-/* 1 << enum side_kind of each side of *p to which the fault applies; 0 if it applies to none. */
-unsigned diagnosis_sides(const struct problem *p, struct fault fault);
-
-/* The relative error (E1) that the fault of *d causes in *p at spacing dx, m; `zero`, K, is the temperature from
- * which relative errors are measured.  NAN if *p cannot have the fault or if it is not a change of a problem. */
-double diagnosis_effect(const struct problem *p, const struct diagnosis *d, double dx, double zero);
-
-/* Names a run whose temperatures are far outside the range of the solution.  Returns 1 if they are. */
+/* Names a run whose temperatures are far outside the range of the solution, or overflow.  Returns 1 if they are. */
 int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d);
 
 /* Names a difference `apart`, K, between two runs of the same case, of fields as large as `largest`, K, if it

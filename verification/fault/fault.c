@@ -1,9 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Faults as changes of a problem.
- *
- * A displaced wall stretches the domain by s along an axis.  With x = c + s (X - c) the equation in X has k/s^2
- * instead of k, and a flux q or a coefficient b at a side across that axis becomes q/s or b/s.  The lattice of the
- * correct problem can therefore be used for the faulty one. */
+/* The table of faults: which problems can have each, and the change that it makes. */
 #include "verification/fault/fault.h"
 
 #include "references/kirchhoff.h"
@@ -11,225 +7,542 @@
 #include <math.h>
 #include <string.h>
 
-/* The axis that a pair of exchanged axes puts in the place of axis a. */
-static int exchanged(int pair, int a) {
-    int first = fault_pair(pair, 0), second = fault_pair(pair, 1);
-    return a == first ? second : a == second ? first : a;
+/* ---- Places ---- */
+
+static const struct fault_places
+    axes = {DIM_MAX, (const char *const[]){"x", "y", "z"}, "an axis"},
+    pairs = {3, (const char *const[]){"k_x and k_y", "k_y and k_z", "k_x and k_z"}, "two conductivities"},
+    transposed_pairs = {3, (const char *const[]){"x and y", "y and z", "x and z"}, "two axes"},
+    others = {6,
+              (const char *const[]){"k_x were k_y", "k_y were k_x", "k_z were k_x", "k_x were k_z", "k_y were k_z",
+                                    "k_z were k_y"},
+              "one conductivity were another"},
+    means = {1,
+             (const char *const[]){"the arithmetic mean", "the geometric mean", "the arithmetic or geometric mean",
+                                   "another mean"},
+             "another mean"},
+    across = {FAULT_ALL_AXES + 1,
+              (const char *const[]){" across x", " across y", " across z", " across x and y", " across x, y and z"},
+              ""},
+    across_one = {DIM_MAX, (const char *const[]){" across x", " across y", " across z"}, ""},
+    along = {FAULT_ALL_AXES + 1,
+             (const char *const[]){" along x", " along y", " along z", " along x and y", " along x, y and z"}, ""},
+    along_walls = {FAULT_ALL_AXES + 1, (const char *const[]){" along x", " along y", " along z", "", ""}, ""},
+    sides = {FAULT_ALL_SIDES + 1,
+             (const char *const[]){"side x_lo holds", "side x_hi holds", "side y_lo holds", "side y_hi holds",
+                                   "side z_lo holds", "side z_hi holds", "sides of given flux hold"},
+             "a side holds"},
+    named_sides = {SIDES,
+                   (const char *const[]){"side x_lo", "side x_hi", "side y_lo", "side y_hi", "side z_lo",
+                                         "side z_hi"},
+                   "a side"},
+    walls = {1 + SIDES,
+             (const char *const[]){"the walls were those", "side x_lo were that", "side x_hi were that",
+                                   "side y_lo were that", "side y_hi were that", "side z_lo were that",
+                                   "side z_hi were that"},
+             "the walls were those"},
+    cooled = {FAULT_ALL_SIDES + 1,
+              (const char *const[]){" of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi",
+                                    " of side z_lo", " of side z_hi", "s"},
+              "s"},
+    corners = {24,
+               (const char *const[]){
+                   "the corner x_lo, y_lo",       "the corner x_hi, y_lo",       "the corner x_lo, y_hi",
+                   "the corner x_hi, y_hi",       "the corner x_lo, y_lo, z_lo", "the corner x_hi, y_lo, z_lo",
+                   "the corner x_lo, y_hi, z_lo", "the corner x_hi, y_hi, z_lo", "the corner x_lo, y_lo, z_hi",
+                   "the corner x_hi, y_lo, z_hi", "the corner x_lo, y_hi, z_hi", "the corner x_hi, y_hi, z_hi",
+                   "the edge y_lo, z_lo",         "the edge y_hi, z_lo",         "the edge y_lo, z_hi",
+                   "the edge y_hi, z_hi",         "the edge x_lo, z_lo",         "the edge x_hi, z_lo",
+                   "the edge x_lo, z_hi",         "the edge x_hi, z_hi",         "the edge x_lo, y_lo",
+                   "the edge x_hi, y_lo",         "the edge x_lo, y_hi",         "the edge x_hi, y_hi"},
+               "a corner or an edge"},
+    laws = {LAWS,
+            (const char *const[]){"were that of the initial temperature", "were that of the reference temperature",
+                                  "were that of side x_lo", "were that of side x_hi", "were that of side y_lo",
+                                  "were that of side y_hi",
+                                  "had harmonic or geometric means, which let no heat into a cell with k = 0"},
+            "were that of another temperature"},
+    materials = {MATERIAL_MAX, (const char *const[]){"first", "second"}, "a"};
+
+/* An axis: one, both of a plane or all of a box. */
+static int is_axis(const struct problem *p, int at) {
+    return at < p->dim || (p->dim > 1 && at == (p->dim == 2 ? FAULT_BOTH_AXES : FAULT_ALL_AXES));
 }
 
-static enum side exchanged_side(int pair, int s) {
-    return (enum side)(2 * exchanged(pair, s / 2) + s % 2);
+static int includes(int at, int a) {
+    return at == a || at >= FAULT_BOTH_AXES;
 }
 
-/* The fault of *p; right: position of X of the faulty problem in the coordinates of its data. */
-static const struct faulty *faulty_at(const struct problem *p, const double *x, double right[DIM_MAX]) {
-    const struct faulty *f = p->data;
+/* The two axes of a pair, 0 of a plane, 0 to 2 of a box: x and y, y and z, x and z. */
+static int first_of(int pair) {
+    return pair == 1 ? 1 : 0;
+}
+
+static int second_of(int pair) {
+    return pair == 0 ? 1 : 2;
+}
+
+/* FAULT_ISOTROPIC: the axis, 0 or 1 in a plane, 0 to 5 in a box, and the one with the k that it takes. */
+static int taker(int at) {
+    return at % 3;
+}
+
+static int giver(int at) {
+    static const int of[] = {1, 0, 0, 2, 2, 1};
+    return of[at];
+}
+
+/* ---- Which problems can have it ---- */
+
+static int has_pair(const struct problem *p, int pair) {
+    return p->dim > 1 && pair < p->dim * (p->dim - 1) / 2;
+}
+
+static int differ_in_pair(const struct problem *p, int at) {
+    const double *k = p->material[0].k;
+    return has_pair(p, at) && k[first_of(at)] != k[second_of(at)];
+}
+
+static int differ_in_other(const struct problem *p, int at) {
+    const double *k = p->material[0].k;
+    return at < p->dim * (p->dim - 1) && k[taker(at)] != k[giver(at)];
+}
+
+static int equal_in_pair(const struct problem *p, int at) {
+    int a = first_of(at), b = second_of(at);
+    return has_pair(p, at) && p->lo[a] == p->lo[b] && p->hi[a] == p->hi[b];
+}
+
+static int has_source(const struct problem *p, int at) {
+    (void)at;
+    return p->source || p->source_at;
+}
+
+static int has_changing_source(const struct problem *p, int at) {
+    (void)at;
+    return p->source_rate || p->source_at;
+}
+
+static int has_interface(const struct problem *p, int at) {
+    (void)at;
+    return p->materials == 2;
+}
+
+static int has_capacities(const struct problem *p, int at) {
+    (void)at;
+    return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
+}
+
+static int has_material(const struct problem *p, int at) {
+    (void)at;
+    return p->materials == 2;
+}
+
+static int has_axis(const struct problem *p, int at) {
+    return at < p->dim;
+}
+
+static int has_axis_of_its_own(const struct problem *p, int at) {
+    return p->dim > 1 && at < p->dim && !p->k_law; /* k would differ by axis */
+}
+
+static int has_extent(const struct problem *p, int at) {
+    return is_axis(p, at) && !(p->k_law && p->dim > 1);
+}
+
+static int has_jumps(const struct problem *p, int at) {
+    return at < p->dim && p->jumps[at] >= 2;
+}
+
+static int has_side(const struct problem *p, int s) {
+    return s < 2 * p->dim && p->side[s] != PERIODIC;
+}
+
+static int is_open(const struct problem *p, int s) {
+    return s < 2 * p->dim && (p->side[s] == DIRICHLET || p->side[s] == ROBIN);
+}
+
+/* A point of side s, at the same part of the extent of the other axes. */
+static void put_on_side(const struct problem *p, int s, double part, double x[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) x[a] = p->lo[a] + part * (p->hi[a] - p->lo[a]);
+    x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+}
+
+static int has_value(const struct problem *p, int s) {
+    for (int i = 0; i <= 8; i++) {
+        double x[DIM_MAX];
+        put_on_side(p, s, 0.03 + 0.117 * i, x);
+        if (p->side[s] != PERIODIC && p->wall(p, (enum side)s, x, 0) != 0) return 1;
+    }
+    return 0;
+}
+
+static int has_wall_data(const struct problem *p, int at) {
+    int fluxes = 0;
+    if (at != FAULT_ALL_SIDES) return at < 2 * p->dim && has_value(p, at);
+    for (int s = 0; s < 2 * p->dim; s++) fluxes += p->side[s] == NEUMANN && has_value(p, s);
+    return fluxes >= 2;
+}
+
+/* Whether what some side holds varies along that axis, or along any. */
+static int has_axis_of_walls(const struct problem *p, int at) {
+    if (p->dim == 1 || !is_axis(p, at)) return 0;
+    for (int s = 0; s < 2 * p->dim; s++) {
+        double x[DIM_MAX];
+        put_on_side(p, s, 0.31, x);
+        if (at == s / 2 || p->side[s] == PERIODIC) continue;
+        double here = p->wall(p, (enum side)s, x, 0);
+        for (int a = 0; a < p->dim; a++)
+            if (includes(at, a) && a != s / 2) x[a] += 0.1 * (p->hi[a] - p->lo[a]);
+        if (p->wall(p, (enum side)s, x, 0) != here) return 1;
+    }
+    return 0;
+}
+
+static int is_cooled(const struct problem *p, int s) {
+    return s < 2 * p->dim && p->side[s] == ROBIN && p->robin[s] > 0;
+}
+
+static int cooled_sides(const struct problem *p) {
+    int n = 0;
+    for (int s = 0; s < 2 * p->dim; s++) n += is_cooled(p, s);
+    return n;
+}
+
+static int has_cooled(const struct problem *p, int at) {
+    (void)at;
+    return cooled_sides(p) > 0;
+}
+
+static int has_coefficient(const struct problem *p, int at) {
+    return at == FAULT_ALL_SIDES ? cooled_sides(p) >= 2 : is_cooled(p, at);
+}
+
+int fault_is_pace(const struct problem *p) {
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (p->side[s] == ROBIN || (p->side[s] == NEUMANN && has_value(p, s))) return 0;
+    return !p->source && !p->source_at && !p->wall_rate;
+}
+
+/* Whether there are two materials without sources, so that the fluxes determine the solution. */
+static int has_diffusivities(const struct problem *p, int at) {
+    return has_capacities(p, at) && fault_is_pace(p);
+}
+
+static int has_corner(const struct problem *p, int corner) {
+    int held = 0;
+    if (p->dim == 1 || (p->dim == 2) != (corner < 4) || p->shape || p->k_law) return 0;
     for (int a = 0; a < p->dim; a++) {
-        int from = f->fault.kind == FAULT_TRANSPOSED ? exchanged(f->fault.axis, a) : a;
-        right[from] = f->centre[a] + f->stretch[a] * (x[a] - f->centre[a]);
+        int s = faulty_side(corner, a);
+        held = held || (s >= 0 && p->side[s] == DIRICHLET && has_value(p, s));
     }
-    return f;
+    return held;
 }
 
-/* Moves x away from the nearer of the jumps along an axis, which widens the region between two jumps by the size. */
-static double narrowed(const struct problem *p, int axis, double x, double size) {
-    double middle = 0;
-    for (int k = 0; k < p->jumps[axis]; k++) middle += p->jump[axis][k] / p->jumps[axis];
-    return fabs(x - middle) <= size ? middle : x - (x > middle ? size : -size);
+static int has_changing_walls(const struct problem *p, int at) {
+    (void)at;
+    return p->wall_rate != NULL;
 }
 
-static double initial(const struct problem *p, const double *x) {
-    double at[DIM_MAX];
-    const struct faulty *f = faulty_at(p, x, at);
-    if (f->fault.kind == FAULT_START_SHIFT) at[f->fault.axis] -= f->size;
-    if (f->fault.kind == FAULT_START_WIDTH || f->fault.kind == FAULT_SAMPLES)
-        at[f->fault.axis] = narrowed(f->right, f->fault.axis, at[f->fault.axis], f->size);
-    double T = f->right->initial(f->right, at);
-    if (f->fault.kind == FAULT_OFFSET) return T + f->size;
-    return f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * T : T;
-}
-
-/* The data of side s of the faulty problem from those of the correct one, `value`, or from their rate. */
-static double wall_value(const struct faulty *f, enum side s, double value, int is_rate) {
-    if (f->right->side[s] == NEUMANN) value /= f->stretch[s / 2];
-    int is_flux = f->right->side[s] == NEUMANN && f->fault.axis == FAULT_ALL_SIDES;
-    if (f->fault.kind == FAULT_AMPLITUDE || (f->fault.kind == FAULT_WALL && (f->fault.axis == (int)s || is_flux)))
-        value *= 1 + f->size;
-    return f->fault.kind == FAULT_OFFSET && f->right->side[s] != NEUMANN && !is_rate ? value + f->size : value;
-}
-
-/* Middle between the lowest and the highest of 17 values of side s at x during the run. */
-static double middle_of_range(const struct problem *p, enum side s, const double *x) {
-    enum { TIMES = 17 };
-    double lo = INFINITY, hi = -INFINITY;
-    for (int i = 0; i < TIMES; i++) {
-        double value = p->wall(p, s, x, p->t_end * i / (TIMES - 1));
-        lo = fmin(lo, value), hi = fmax(hi, value);
+/* Walls that change, or that side if it changes, and another one too. */
+static int has_changing_wall(const struct problem *p, int at) {
+    int changing = 0, this_one = 0;
+    for (int s = 0; p->wall_rate && s < 2 * p->dim; s++) {
+        double x[DIM_MAX];
+        put_on_side(p, s, 0.37, x);
+        int changes = p->wall_rate(p, (enum side)s, x, 0.31 * p->t_end) != 0;
+        changing += changes;
+        this_one = this_one || (changes && s == at - 1);
     }
-    return (lo + hi) / 2;
+    return at == 0 ? p->wall_rate != NULL : this_one && changing > 1;
 }
 
-/* The time at which the faulty problem takes side s. */
-static double wall_time(const struct faulty *f, enum side s, double t) {
-    if (f->fault.kind == FAULT_WALL_FROZEN) return 0;
-    int of_side = f->fault.axis == 0 || f->fault.axis == 1 + (int)s;
-    return f->fault.kind == FAULT_WALL_TIME && of_side ? t + f->size : t;
+static int is_periodic(const struct problem *p, int axis) {
+    return axis < p->dim && p->side[2 * axis] == PERIODIC;
 }
 
-static double wall(const struct problem *p, enum side s, const double *x, double t) {
-    double at[DIM_MAX];
-    const struct faulty *f = faulty_at(p, x, at);
-    if (f->fault.kind == FAULT_TRANSPOSED)
-        return f->right->wall(f->right, exchanged_side(f->fault.axis, (int)s), at, t);
-    double value = f->right->wall(f->right, s, at, wall_time(f, s, t));
-    if (f->fault.kind == FAULT_WALL_SWING) value += f->size * (value - middle_of_range(f->right, s, at));
-    return wall_value(f, s, value, 0);
+static int are_periodic(const struct problem *p, int at) {
+    for (int a = 0; a < p->dim; a++)
+        if (includes(at, a) && !is_periodic(p, a)) return 0;
+    return is_axis(p, at);
 }
 
-static double wall_rate(const struct problem *p, enum side s, const double *x, double t) {
-    double at[DIM_MAX];
-    const struct faulty *f = faulty_at(p, x, at);
-    if (f->fault.kind == FAULT_TRANSPOSED)
-        return f->right->wall_rate(f->right, exchanged_side(f->fault.axis, (int)s), at, t);
-    double rate = f->right->wall_rate(f->right, s, at, wall_time(f, s, t));
-    return wall_value(f, s, f->fault.kind == FAULT_WALL_SWING ? (1 + f->size) * rate : rate, 1);
+/* Whether the walls across an axis, or the initial data, are not even about its middle. */
+static int is_lopsided(const struct problem *p, int axis) {
+    return axis < p->dim && !p->mirror[axis];
 }
 
-/* Heat lost in the cell of a corner or the cells of an edge, W m^-3, if its Dirichlet sides at T are assumed cold: 2
- * k T/dx^2 for each, across half a cell.  It is zero on a side and even about it, so ghosts do not contribute. */
-static double lost_at_corner(const struct faulty *f, const double *x) {
+/* k in the middle of a side. */
+static double law_at_side(const struct problem *p, int s) {
+    double x[DIM_MAX];
+    put_on_side(p, s, 0.5, x);
+    return kirchhoff_k(p, p->wall(p, (enum side)s, x, 0));
+}
+
+static int has_any_law(const struct problem *p, int at) {
+    (void)at;
+    return p->k_law != K_CONSTANT;
+}
+
+static int has_law(const struct problem *p, int at) {
+    int s = at - LAW_SIDE;
+    if (!p->k_law) return 0;
+    if (at == LAW_REF) return p->k_law == K_LINEAR;
+    if (at == LAW_START) return p->source_at || p->wall_rate; /* else the start may be steady */
+    if (at == LAW_HARMONIC) return 1;
+    return s < 2 * p->dim && p->side[s] == DIRICHLET && law_at_side(p, s) > 0;
+}
+
+/* ---- Changes ---- */
+
+static void clock(struct faulty *f) {
+    f->problem.t_end += f->size;
+}
+
+static void conductivity(struct faulty *f) {
+    struct problem *q = &f->problem;
+    for (int m = 0; m < q->materials; m++)
+        for (int a = 0; a < q->dim; a++) q->material[m].k[a] *= 1 + f->size;
+    q->k_0 *= 1 + f->size;
+}
+
+static void axis(struct faulty *f) {
+    for (int m = 0; m < f->problem.materials; m++) f->problem.material[m].k[f->fault.at] *= 1 + f->size;
+}
+
+static void swap(struct faulty *f) {
+    double *k = f->problem.material[0].k;
+    const double *right = f->right->material[0].k;
+    int a = first_of(f->fault.at), b = second_of(f->fault.at);
+    k[a] = right[b], k[b] = right[a];
+}
+
+static void isotropic(struct faulty *f) {
+    f->problem.material[0].k[taker(f->fault.at)] = f->right->material[0].k[giver(f->fault.at)];
+}
+
+static void transposed(struct faulty *f) {
+    struct problem *q = &f->problem;
     const struct problem *p = f->right;
-    double dx = f->size, lost = 0;
+    int one = first_of(f->fault.at), two = second_of(f->fault.at);
+    f->from[one] = two, f->from[two] = one;
     for (int a = 0; a < p->dim; a++) {
-        int s = fault_side_of_corner(f->fault.axis, a);
-        double away = s < 0 ? dx / 2 : fabs(x[a] - (s % 2 ? p->hi[a] : p->lo[a]));
-        if (away < dx / 4 || away > 3 * dx / 4) return 0;
-    }
-    for (int a = 0; a < p->dim; a++) {
-        int s = fault_side_of_corner(f->fault.axis, a);
-        if (s >= 0 && p->side[s] == DIRICHLET)
-            lost += 2 * p->material[0].k[a] * p->wall(p, (enum side)s, x, 0) / (dx * dx);
-    }
-    return lost;
-}
-
-static double source(const struct problem *p, const double *x) {
-    double at[DIM_MAX];
-    const struct faulty *f = faulty_at(p, x, at);
-    double value = problem_source(f->right, at, f->fault.kind == FAULT_SOURCE_TIME ? f->size : 0);
-    if (f->fault.kind == FAULT_CORNER) value -= lost_at_corner(f, at);
-    return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
-}
-
-static double source_rate(const struct problem *p, const double *x) {
-    double at[DIM_MAX];
-    const struct faulty *f = faulty_at(p, x, at);
-    double value = f->right->source_rate(f->right, at);
-    return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
-}
-
-static double source_at(const struct problem *p, const double *x, double t) {
-    double at[DIM_MAX];
-    const struct faulty *f = faulty_at(p, x, at);
-    double late = f->fault.kind == FAULT_SOURCE_TIME ? f->size : 0;
-    double value = problem_source(f->right, at, f->fault.kind == FAULT_FROZEN ? 0 : t + late);
-    return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
-}
-
-static void turn(struct problem *q, const struct problem *p, int pair) {
-    for (int a = 0; a < p->dim; a++) {
-        int from = exchanged(pair, a);
-        q->material[0].k[a] = p->material[0].k[from];
-        q->jumps[a] = p->jumps[from];
-        memcpy(q->jump[a], p->jump[from], sizeof q->jump[a]);
+        q->material[0].k[a] = p->material[0].k[f->from[a]];
+        q->jumps[a] = p->jumps[f->from[a]];
+        memcpy(q->jump[a], p->jump[f->from[a]], sizeof q->jump[a]);
     }
     for (int s = 0; s < 2 * p->dim; s++) {
-        enum side from = exchanged_side(pair, s);
+        enum side from = faulty_from(f, s);
         q->side[s] = p->side[from], q->robin[s] = p->robin[from];
     }
 }
 
-static void stretch(struct faulty *f, int axis) {
-    struct problem *p = &f->problem;
-    double s = 1 + 2 * f->size / (p->hi[axis] - p->lo[axis]);
-    f->stretch[axis] = s;
-    for (int m = 0; m < p->materials; m++) p->material[m].k[axis] /= s * s;
-    p->k_0 /= s * s;
-    for (int hi = 0; hi < 2; hi++) p->robin[2 * axis + hi] /= s;
-    for (int k = 0; k < p->jumps[axis]; k++)
-        p->jump[axis][k] = f->centre[axis] + (p->jump[axis][k] - f->centre[axis]) / s;
-    if (axis == 0) p->interface = f->centre[0] + (p->interface - f->centre[0]) / s;
+static void source(struct faulty *f) {
+    f->source = 1 + f->size;
 }
 
-/* Applies the fault to a k that depends on T. */
-static void change_law(const struct problem *p, struct faulty *f) {
-    struct problem *q = &f->problem;
-    const enum fault_kind kind = f->fault.kind;
-    double scale = kind == FAULT_AMPLITUDE ? 1 + f->size : 1, single = NAN;
-    q->k_ref = scale * p->k_ref + (kind == FAULT_OFFSET ? f->size : 0);
-    q->k_beta /= scale;
-    if (p->k_law == K_POWER) q->k_0 /= pow(scale, p->k_n);
-    if (kind == FAULT_CONDUCTIVITY || (kind == FAULT_AXIS && f->fault.axis == 0)) q->k_0 *= 1 + f->size;
-    if (kind != FAULT_LAW) return;
-    q->k_frozen = f->fault.axis == LAW_START;
-    if (f->fault.axis == LAW_REF) single = p->k_0;
-    if (f->fault.axis >= LAW_SIDE && f->fault.axis < LAW_HARMONIC)
-        single = fault_law_at_side(p, f->fault.axis - LAW_SIDE);
-    if (isfinite(single)) q->k_law = K_LINEAR, q->k_0 = single, q->k_beta = 0;
+static void source_time(struct faulty *f) {
+    f->source_late = f->size;
 }
 
-/* Applies the fault to the coefficients of *f, which are initially those of *p. */
-static void change_coefficients(const struct problem *p, struct faulty *f) {
-    struct problem *q = &f->problem;
-    const enum fault_kind kind = f->fault.kind;
-    const int axis = f->fault.axis;
-    for (int a = 0; a < p->dim && kind == FAULT_SWAP; a++) q->material[0].k[a] = p->material[0].k[exchanged(axis, a)];
-    if (kind == FAULT_ISOTROPIC) q->material[0].k[fault_other(axis, 0)] = p->material[0].k[fault_other(axis, 1)];
-    if (kind == FAULT_CAPACITY) q->material[1].rho_c = q->material[0].rho_c;
-    if (kind == FAULT_RHO_C) q->material[axis].rho_c *= 1 + f->size;
-    for (int m = 0; m < q->materials; m++)
-        for (int a = 0; a < p->dim; a++)
-            if (kind == FAULT_CONDUCTIVITY || (kind == FAULT_AXIS && a == axis)) q->material[m].k[a] *= 1 + f->size;
-    for (int m = 0; m < q->materials && kind == FAULT_DIFFUSIVITY; m++) {
-        for (int a = 0; a < p->dim; a++) q->material[m].k[a] /= q->material[m].rho_c;
-        q->material[m].rho_c = 1;
+static void source_frozen(struct faulty *f) {
+    f->source_frozen = 1;
+}
+
+static void capacity(struct faulty *f) {
+    f->problem.material[1].rho_c = f->problem.material[0].rho_c;
+}
+
+static void rho_c(struct faulty *f) {
+    f->problem.material[f->fault.at].rho_c *= 1 + f->size;
+}
+
+/* With rho c of its own side, a flux between diffusivities is one between conductivities k/rho c. */
+static void diffusivity(struct faulty *f) {
+    for (int m = 0; m < f->problem.materials; m++) {
+        struct material *material = &f->problem.material[m];
+        for (int a = 0; a < f->problem.dim; a++) material->k[a] /= material->rho_c;
+        material->rho_c = 1;
     }
+}
+
+static void interface(struct faulty *f) {
+    f->problem.interface += f->size;
+}
+
+static void mean(struct faulty *f) {
+    f->mean = MEAN_ARITHMETIC;
+}
+
+/* k(T) is that of the right temperature. */
+static void amplitude(struct faulty *f) {
+    f->factor = 1 + f->size;
+    f->problem.k_ref *= f->factor;
+    f->problem.k_beta /= f->factor;
+    if (f->right->k_law == K_POWER) f->problem.k_0 /= pow(f->factor, f->right->k_n);
+}
+
+static void offset(struct faulty *f) {
+    f->offset = f->size;
+    f->problem.k_ref += f->size;
+}
+
+static void near_wall(struct faulty *f) {
+    for (int s = 0; s < 2 * f->problem.dim; s++) {
+        const struct material *beside = &f->problem.material[s == X_HI ? f->problem.materials - 1 : 0];
+        f->problem.robin[s] /= fmax(0.01, 1 - f->size * f->problem.robin[s] / beside->k[s / 2]);
+    }
+}
+
+static void air_sign(struct faulty *f) {
+    f->by_steps = 1; /* the solver refuses a wall that heats itself */
+    for (int s = 0; s < SIDES; s++) f->problem.robin[s] *= -1;
+}
+
+static void coefficient(struct faulty *f) {
+    for (int s = 0; s < SIDES; s++)
+        if (f->fault.at == s || f->fault.at == FAULT_ALL_SIDES) f->problem.robin[s] *= 1 + f->size;
+}
+
+static void stretch(struct faulty *f, int a) {
+    struct problem *q = &f->problem;
+    double s = 1 + 2 * f->size / (q->hi[a] - q->lo[a]);
+    f->stretch[a] = s;
+    for (int m = 0; m < q->materials; m++) q->material[m].k[a] /= s * s;
+    q->k_0 /= s * s;
+    for (int hi = 0; hi < 2; hi++) q->robin[2 * a + hi] /= s;
+    for (int k = 0; k < q->jumps[a]; k++) q->jump[a][k] = f->centre[a] + (q->jump[a][k] - f->centre[a]) / s;
+    if (a == 0) q->interface = f->centre[0] + (q->interface - f->centre[0]) / s;
+}
+
+static void extent(struct faulty *f) {
+    for (int a = 0; a < f->problem.dim; a++)
+        if (includes(f->fault.at, a)) stretch(f, a);
+}
+
+static void points(struct faulty *f) {
+    for (int a = 0; a < f->problem.dim; a++)
+        if (includes(f->fault.at, a)) f->moved[a] = f->size;
+}
+
+static void mirrored(struct faulty *f) {
+    f->mirrored[f->fault.at] = 1;
+}
+
+static void start_shift(struct faulty *f) {
+    int a = f->fault.at;
+    f->start[a] = f->size;
+    for (int k = 0; k < f->problem.jumps[a]; k++) f->problem.jump[a][k] += f->size;
+}
+
+static void start_width(struct faulty *f) {
+    int a = f->fault.at, n = f->problem.jumps[a];
+    f->width[a] = f->size;
+    for (int k = 0; k < n; k++) f->problem.jump[a][k] += 2 * k < n ? -f->size : f->size;
+}
+
+static void wall(struct faulty *f) {
+    for (int s = 0; s < 2 * f->problem.dim; s++)
+        if (f->fault.at == s || (f->fault.at == FAULT_ALL_SIDES && f->right->side[s] == NEUMANN))
+            f->wall[s] = 1 + f->size;
+}
+
+static void insulated(struct faulty *f) {
+    f->problem.side[f->fault.at] = NEUMANN;
+    f->wall[f->fault.at] = 0;
+}
+
+static void kept(struct faulty *f) {
+    f->problem.side[f->fault.at] = DIRICHLET;
+    f->kept = f->fault.at;
+}
+
+static void along_wall(struct faulty *f) {
+    for (int a = 0; a < f->problem.dim; a++)
+        if (includes(f->fault.at, a)) f->along[a] = -f->size;
+}
+
+static void corner(struct faulty *f) {
+    f->corner = f->fault.at;
+}
+
+static void wall_time(struct faulty *f) {
+    for (int s = 0; s < SIDES; s++)
+        if (f->fault.at == 0 || f->fault.at == 1 + s) f->late[s] = f->size;
+}
+
+static void wall_frozen(struct faulty *f) {
+    f->frozen = 1;
+}
+
+static void not_periodic(struct faulty *f) {
+    for (int s = 2 * f->fault.at; s < 2 * f->fault.at + 2; s++) f->problem.side[s] = NEUMANN, f->wall[s] = 0;
+}
+
+static void twice(struct faulty *f) {
+    f->by_steps = 1;
+    for (int a = 0; a < f->problem.dim; a++) f->twice[a] = includes(f->fault.at, a);
+}
+
+static void laplacian(struct faulty *f) {
+    f->laplacian = f->by_steps = 1;
+}
+
+static void law(struct faulty *f) {
+    struct problem *q = &f->problem;
+    int at = f->fault.at, is_single = at == LAW_REF || (at >= LAW_SIDE && at < LAW_HARMONIC);
+    double single = at == LAW_REF ? q->k_0 : is_single ? law_at_side(f->right, at - LAW_SIDE) : 0;
+    q->k_frozen = at == LAW_START;
+    if (at == LAW_HARMONIC) f->mean = MEAN_HARMONIC;
+    if (is_single) q->k_law = K_LINEAR, q->k_0 = single, q->k_beta = 0;
+}
+
+const struct fault_row fault_rows[FAULT_KINDS] = {
+#define FAULT(NAME, ...) [FAULT_##NAME] = {.name = #NAME, __VA_ARGS__},
+#include "verification/fault/fault.def"
+#undef FAULT
+};
+
+/* ---- Rows ---- */
+
+int fault_places(enum fault_kind kind) {
+    const struct fault_places *places = fault_rows[kind].places;
+    return places ? places->count : 1;
+}
+
+int fault_applies(const struct problem *p, struct fault fault) {
+    const struct fault_row *row = &fault_rows[fault.kind];
+    return row->change && fault.at >= 0 && fault.at < fault_places(fault.kind) &&
+           (!row->applies || row->applies(p, fault.at));
+}
+
+double fault_scale(const struct problem *p, struct fault fault) {
+    const int a = fault.at < p->dim ? fault.at : 0;
+    const enum fault_unit unit = fault_rows[fault.kind].unit;
+    if (unit == UNIT_TIME) return p->t_end;
+    return unit == UNIT_LENGTH || fault.kind == FAULT_SAMPLES ? p->hi[a] - p->lo[a] : 1;
+}
+
+double fault_probe(const struct problem *p, struct fault fault) {
+    const struct fault_row *row = &fault_rows[fault.kind];
+    if (row->probe > 0) return row->probe * fault_scale(p, fault);
+    return row->unit == UNIT_WHOLE ? 1 : fault_scale(p, fault) * (row->unit == UNIT_LENGTH ? 0.005 : 0.01);
+}
+
+int fault_can_be(const struct problem *p, struct fault fault, double size) {
+    static const double SIGN = 0.1; /* largest distance from -2 that counts as a wrong sign */
+    const struct fault_row *row = &fault_rows[fault.kind];
+    if (row->least == 0 || size > row->least * fault_scale(p, fault)) return 1;
+    return (row->is & FAULT_SIGN) && fabs(size + 2) < SIGN;
+}
+
+unsigned fault_sides(const struct problem *p, struct fault fault) {
+    unsigned kinds = 0;
     for (int s = 0; s < 2 * p->dim; s++) {
-        const struct material *beside = &q->material[s == X_HI ? q->materials - 1 : 0];
-        if (kind == FAULT_COEFFICIENT && (s == axis || axis == FAULT_ALL_SIDES)) q->robin[s] *= 1 + f->size;
-        if (kind == FAULT_NEAR_WALL) q->robin[s] /= fmax(0.01, 1 - f->size * q->robin[s] / beside->k[s / 2]);
+        int across_it = fault.kind == FAULT_EXTENT && includes(fault.at, s / 2);
+        int held =
+            fault.kind == FAULT_WALL && (s == fault.at || (fault.at == FAULT_ALL_SIDES && p->side[s] == NEUMANN));
+        if (across_it || held) kinds |= 1u << p->side[s];
     }
-}
-
-/* Applies the fault to the positions of sides, interface and jumps. */
-static void change_places(const struct problem *p, struct faulty *f) {
-    struct problem *q = &f->problem;
-    const enum fault_kind kind = f->fault.kind;
-    const int axis = f->fault.axis;
-    if (kind == FAULT_TRANSPOSED) turn(q, p, axis);
-    if (kind == FAULT_INTERFACE) q->interface += f->size;
-    for (int a = 0; a < p->dim; a++)
-        if (kind == FAULT_EXTENT && (axis == a || axis >= FAULT_BOTH_AXES)) stretch(f, a);
-    int width = kind == FAULT_START_WIDTH || kind == FAULT_SAMPLES;
-    for (int k = 0; (width || kind == FAULT_START_SHIFT) && axis < p->dim && k < q->jumps[axis]; k++)
-        q->jump[axis][k] += width && 2 * k < q->jumps[axis] ? -f->size : f->size;
-}
-
-int fault_make(const struct problem *p, struct fault fault, double size, struct faulty *f) {
-    if (!fault_applies(p, fault)) return 0;
-    *f = (struct faulty){.problem = *p, .right = p, .fault = fault, .size = size, .stretch = {1, 1, 1}};
-    struct problem *q = &f->problem;
-    q->data = f;
-    q->initial = initial;
-    q->wall = wall;
-    if (p->wall_rate) q->wall_rate = fault.kind == FAULT_WALL_FROZEN ? NULL : wall_rate;
-    if (p->source || fault.kind == FAULT_CORNER) q->source = source;
-    if (p->source_rate) q->source_rate = fault.kind == FAULT_FROZEN ? NULL : source_rate;
-    if (fault.kind == FAULT_CLOCK) q->t_end += size;
-    for (int a = 0; a < p->dim; a++) f->centre[a] = (p->lo[a] + p->hi[a]) / 2, q->mirror[a] = 0;
-    if (p->source_at) q->source_at = source_at;
-    change_coefficients(p, f);
-    if (p->k_law) change_law(p, f);
-    change_places(p, f);
-    return 1;
+    return kinds;
 }

@@ -2,19 +2,29 @@
 #ifndef HEATLADDER_VERIFICATION_FAULT_FIT_H
 #define HEATLADDER_VERIFICATION_FAULT_FIT_H
 
-/* The errors of a rung, and the share of them that one fault explains. */
+/* The errors of two rungs, and the share of them that each fault explains. */
+
+#include "verification/fault/fault.h"
 
 struct diagnosis_rung;
 struct field;
-struct problem;
 struct response_lattice;
 
 static const double FIT_SHARE = 0.9; /* least share of the squared error that a fault must explain to be reported */
 static const double FIT_MOST = 2; /* multiple of the second-order discretization error: a correct code's own error */
+/* Relative change of a size from rung to rung below which it counts as constant: the finest spacings of the battery
+ * have the ratio 4/3, by which a size in a unit with another power of dx changes at least. */
+static const double FIT_STEADY = 0.25;
+static const char FIT_DIFFUSIVE[] = "dx^2/kappa"; /* a unit of time */
+
+enum { FIT_FIELDS = 5 }; /* e, f, g, h, m */
 
 struct fit {
     double size, share;
-    double part; /* |size f| / sqrt(|g + h/5|^2 + |3/2 m|^2) */
+    double part;                            /* |size f| / sqrt(|g + h/5|^2 + |3/2 m|^2) */
+    double product[FIT_FIELDS][FIT_FIELDS]; /* over the points */
+    int numbers;                            /* 5, or 4: m is not fitted */
+    double mean;                            /* the factor of m */
 };
 
 /* A rung: its errors, and the discretization errors of second-order differences. */
@@ -32,5 +42,37 @@ void fit_errors_free(struct fit_errors *s);
 
 /* Least squares for a fault with the response f, K per unit of its size, at the points of *s. */
 struct fit fit_fault(const struct fit_errors *s, const double *f);
+
+/* The share of the squared error that the fault explains with that size. */
+double fit_share(const struct fit *fit, double size);
+
+/* A fault at two rungs, the fine one first. */
+struct fault_fit {
+    struct fault fault;
+    struct fit rung[2];
+    double cell[2], step[2], diffusive[2]; /* units at the rungs: m; s, 0: unknown; dx^2/kappa, s */
+    double unit[2];                        /* the unit in which the size is most nearly constant from rung to rung */
+    double drift;     /* |log| of the change of the size in it; INFINITY if the size is not constant */
+    const char *name; /* of the unit: "steps", "s", "dx^2/kappa", "cells", "K" or "%" */
+    unsigned sides;   /* fault_sides */
+    int is_pace;      /* 1: a conductivity where fault_is_pace */
+    double geometric; /* of FAULT_MEAN: the effect of the geometric mean over that of the arithmetic one */
+};
+
+/* Faults that the problem of a row can have, fitted to its errors. */
+enum { FIT_ALL = 160 };
+struct evidence {
+    int n;
+    struct fault_fit fit[FIT_ALL];
+};
+
+/* Fits all faults to two rungs, the fine one first; the caller frees the result.  NULL: no lattice fits. */
+struct evidence *fit_all(const struct problem *p, const struct diagnosis_rung *rung);
+
+/* Names of the units of a kind, ended by NULL. */
+const char *const *fit_unit_names(enum fault_kind kind);
+
+/* The size of a unit at a rung, as in struct fault_fit; 0: the fit has no such unit. */
+double fit_unit(const struct fault_fit *c, const char *name, int rung);
 
 #endif

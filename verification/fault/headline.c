@@ -1,87 +1,275 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows vote.  A row that names another fault or size, or no fault, votes against.  A fault of one kind of walls is
- * refuted by a row that has only walls of that kind and passes. */
+/* The joint diagnosis.  A hypothesis is a fault at one place, or at any, with one size in one unit for all rows:
+ * of the sizes that rows show.  Its score is the mean share of the squared errors that it explains, over
+ * rows and both rungs of each.  The best one that no passing row contradicts is the headline. */
 #include "verification/fault/headline.h"
 
+#include "solver/field.h"
 #include "solver/status.h"
+#include "verification/fault/fit.h"
+#include "verification/fault/response.h"
 #include "verification/fault/wording.h"
 
+#include <gsl/gsl_sort_double.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Faults of different axes or materials are different; faults of different sides or corners are one fault of all
- * sides.  An extra step in every run agrees with extra steps in some runs. */
-static int is_same(const struct diagnosis *a, const struct diagnosis *b) {
-    static const double SAME = 0.2; /* each size is known to 12 %, half of FAULT_STEADY: sqrt(2) of that */
+static const double VOTE = 0.8; /* least share of a row's error for a vote */
+static const double MOST_ROWS = 0.7;
+static const double NOISE = 0.03; /* scores that differ by less do not distinguish two faults */
+
+struct hypothesis {
+    struct fault fault; /* at FAULT_ANY: the best place of each row */
+    const char *unit;
+    double size, score;
+    int votes;
+    const struct fault_fit *shown; /* of the row that shows it best */
+};
+
+/* Whether a row without fits, or with a name that needs none, shows the fault by itself.  An extra step in every run
+ * agrees with extra steps in some runs. */
+static int names(const struct diagnosis *row, const struct hypothesis *h) {
+    static const double SAME = 0.2; /* each size is known to 12 %, half of FIT_STEADY: sqrt(2) of that */
     /* a wall that is taken as linear over half a cell acts dx^2/(8 kappa) late, half a step of dx^2/(4 kappa) */
     static const double HALF_CELL = 0.75;
-    const enum fault_kind kind = a->fault.kind;
-    if (!a->named || !b->named || strcmp(a->unit, b->unit) != 0) return 0;
-    if (kind != b->fault.kind && !(kind == FAULT_SOME_STEPS && b->fault.kind == FAULT_CLOCK)) return 0;
-    int has_axis = kind == FAULT_AXIS || kind == FAULT_SWAP || kind == FAULT_TRANSPOSED || kind == FAULT_ISOTROPIC ||
-                   kind == FAULT_RHO_C;
-    int no_size = *a->unit == '\0' || kind == FAULT_MEAN || kind == FAULT_NOISE || kind == FAULT_UNSTABLE;
-    if (has_axis && a->fault.axis != b->fault.axis) return 0;
-    if (kind == FAULT_WALL_TIME && strcmp(a->unit, "steps") == 0)
-        return a->size * b->size > 0 && fabs(a->size - b->size) <= HALF_CELL;
-    return no_size || fabs(a->size - b->size) <= SAME * fmin(fabs(a->size), fabs(b->size));
+    const enum fault_kind kind = h->fault.kind;
+    int some = kind == FAULT_SOME_STEPS && row->fault.kind == FAULT_CLOCK && strcmp(row->unit, "steps") == 0;
+    if (!row->named || (row->fault.kind != kind && !some)) return 0;
+    if (kind == FAULT_NOISE || kind == FAULT_UNSTABLE || fault_rows[kind].unit == UNIT_WHOLE) return 1;
+    if (strcmp(row->unit, h->unit) != 0) return 0;
+    if (kind == FAULT_WALL_TIME && strcmp(h->unit, "steps") == 0)
+        return row->size * h->size > 0 && fabs(row->size - h->size) <= HALF_CELL;
+    return fabs(row->size - h->size) <= SAME * fmin(fabs(row->size), fabs(h->size));
 }
 
-static int votes_for(const struct diagnosis *found, int failing, int i) {
-    int votes = 0;
-    for (int k = 0; k < failing; k++) votes += is_same(&found[i], &found[k]);
-    return votes;
+static int is_made(enum fault_kind kind) {
+    return fault_rows[kind].change != NULL;
 }
 
-static int by_size(const void *a, const void *b) {
-    double x = ((const struct diagnosis *)a)->size, y = ((const struct diagnosis *)b)->size;
-    return (x > y) - (x < y);
+/* The fit of a row to the hypothesis that explains most, with its size in the unit or with that of h; NULL: none. */
+static const struct fault_fit *best_fit(const struct evidence *e, const struct hypothesis *h, int own_size,
+                                        double *share) {
+    const struct fault_fit *best = NULL;
+    *share = 0;
+    for (int i = 0; e && i < e->n; i++) {
+        const struct fault_fit *c = &e->fit[i];
+        double of = 0;
+        if (c->fault.kind != h->fault.kind || (h->fault.at != FAULT_ANY && c->fault.at != h->fault.at)) continue;
+        for (int k = 0; k < 2; k++) {
+            double unit = fit_unit(c, h->unit, k);
+            of += unit == 0  ? 0
+                  : own_size ? c->rung[k].share / 2
+                             : fmax(0, fit_share(&c->rung[k], h->size * unit)) / 2;
+        }
+        if (own_size && (c->rung[0].share < VOTE || c->rung[0].part < FIT_MOST)) continue;
+        if (of > *share) *share = of, best = c;
+    }
+    return best;
 }
 
-struct headline headline_choose(const struct diagnosis *found, int failing) {
-    struct headline h = {.failing = failing};
-    int best = -1, named = 0, count = 0;
+static double share_of(const struct diagnosis *row, const struct hypothesis *h) {
+    double share = 0;
+    if (names(row, h) && (!is_made(h->fault.kind) || !row->evidence)) return 1;
+    best_fit(row->evidence, h, 0, &share);
+    return share;
+}
+
+/* Sets score and votes with h->size. */
+static void score(struct hypothesis *h, const struct diagnosis *row, int failing, int known) {
+    h->score = 0, h->votes = 0;
     for (int i = 0; i < failing; i++) {
-        int votes = votes_for(found, failing, i);
-        named += found[i].named;
-        if (votes > h.votes) h.votes = votes, best = i;
+        double share = share_of(&row[i], h);
+        h->score += share / known;
+        h->votes += share >= VOTE;
     }
-    if (h.votes < 2 && named != 1) h.votes = 0;
-    if (h.votes == 0) return h;
-    struct diagnosis *same = xcalloc((size_t)failing, sizeof *same);
-    for (int i = 0; i < failing; i++)
-        if (is_same(&found[best], &found[i])) same[count++] = found[i];
-    qsort(same, (size_t)count, sizeof *same, by_size);
-    h.fault = same[(count - 1) / 2];
-    h.fault.fault.kind = found[best].fault.kind;
-    for (int i = 0; i < count; i++) {
-        if (same[i].fault.axis != same[0].fault.axis) h.fault.fault.axis = FAULT_ANY;
-        h.fault.sides &= same[i].sides;
-        h.fault.is_pace &= same[i].is_pace;
+    if (fault_rows[h->fault.kind].is & FAULT_RARE) h->score -= NOISE / 2;
+}
+
+/* Sizes that rows show, in the unit of h; returns their number. */
+static int sizes_of(struct hypothesis *h, const struct diagnosis *row, int failing, double *size) {
+    double share, most = 0;
+    size_t n = 0;
+    for (int i = 0; i < failing && is_made(h->fault.kind); i++) {
+        const struct fault_fit *c = best_fit(row[i].evidence, h, 1, &share);
+        if (!c) continue;
+        size[n++] = c->rung[0].size / fit_unit(c, h->unit, 0);
+        if (share > most) most = share, h->shown = c;
     }
-    free(same);
-    h.is_firm = h.votes >= 2 && 2 * h.votes >= failing;
-    wording_fault(&h.fault);
+    gsl_sort(size, 1, n);
+    return (int)n;
+}
+
+/* Sets size, score and votes: of the sizes that rows show, or some of many, the one with the best score.  known: rows
+ * with errors or a name. */
+static void judge(struct hypothesis *h, const struct diagnosis *row, int failing, int known) {
+    enum { TRIED = 9 };
+    const struct fault_row *of = &fault_rows[h->fault.kind];
+    double *size = xcalloc((size_t)failing + 1, sizeof *size);
+    int n = sizes_of(h, row, failing, size), tried = n < TRIED ? n : TRIED;
+    if (of->unit == UNIT_WHOLE || of->is & FAULT_CELL) size[0] = of->is & FAULT_CELL ? of->cells : 1, n = tried = 1;
+    if (!n) size[0] = h->size, n = tried = 1;
+    struct hypothesis best = *h;
+    for (int i = 0; i < tried; i++) {
+        h->size = size[tried > 1 ? i * (n - 1) / (tried - 1) : 0];
+        if (of->is & FAULT_HALF) h->size = nearbyint(2 * h->size) / 2;
+        score(h, row, failing, known);
+        if (i == 0 || h->score > best.score) best = *h;
+    }
+    *h = best;
+    free(size);
+}
+
+static int is_listed(const struct hypothesis *list, int n, const struct hypothesis *h) {
+    for (int i = 0; i < n; i++)
+        if (list[i].fault.kind == h->fault.kind && list[i].fault.at == h->fault.at &&
+            strcmp(list[i].unit, h->unit) == 0)
+            return 1;
+    return 0;
+}
+
+/* Hypotheses that some row suggests; returns their number. */
+static int suggest(const struct diagnosis *row, int failing, struct hypothesis *list, int most) {
+    int n = 0;
+    for (int i = 0; i < failing; i++) {
+        struct hypothesis own = {.fault = row[i].fault, .unit = row[i].unit, .size = row[i].size};
+        if (row[i].named && (!is_made(own.fault.kind) || !row[i].evidence) && n < most && !is_listed(list, n, &own))
+            list[n++] = own;
+        for (int k = 0; row[i].evidence && k < row[i].evidence->n; k++) {
+            const struct fault_fit *c = &row[i].evidence->fit[k];
+            const int joins = fault_rows[c->fault.kind].is & FAULT_JOINS;
+            if (c->rung[0].share < VOTE || c->rung[0].part < FIT_MOST) continue;
+            for (const char *const *unit = fit_unit_names(c->fault.kind); *unit; unit++)
+                for (int any = 0; any <= (joins != 0); any++) {
+                    struct hypothesis h = {.fault = {c->fault.kind, any ? FAULT_ANY : c->fault.at}, .unit = *unit};
+                    if (fit_unit(c, *unit, 0) != 0 && n < most && !is_listed(list, n, &h)) list[n++] = h;
+                }
+        }
+    }
+    return n;
+}
+
+/* The better one explains more; of two that explain as much, it is at one place, or the more common. */
+static int is_better(const struct hypothesis *a, const struct hypothesis *b) {
+    static const double AS_WELL = 0.02;
+    if (fabs(a->score - b->score) > AS_WELL) return a->score > b->score;
+    if (a->fault.kind != b->fault.kind) return a->fault.kind < b->fault.kind;
+    if ((a->fault.at == FAULT_ANY) != (b->fault.at == FAULT_ANY)) return b->fault.at == FAULT_ANY;
+    return a->score > b->score;
+}
+
+/* Whether it is the cause of at least half of the rows, and no other fault is nearly as good. */
+static int is_firm(const struct hypothesis *list, int n, const struct hypothesis *best, int known) {
+    double apart = best->votes >= MOST_ROWS * known ? NOISE : 5 * NOISE;
+    for (int i = 0; i < n; i++)
+        if (list[i].fault.kind != best->fault.kind && list[i].score > best->score - apart) return 0;
+    return (best->votes >= 3 || best->votes == known) && best->votes >= 2 && 2 * best->votes >= known;
+}
+
+/* The diagnosis of a hypothesis: its share is that of the rows which vote. */
+static struct diagnosis named(const struct hypothesis *h, const struct diagnosis *row, int failing) {
+    struct diagnosis d = {.named = 1, .fault = h->fault, .size = h->size, .unit = h->unit, .share = NAN};
+    if (h->shown) d = diagnosis_of(h->shown, h->unit, h->size);
+    d.sides = ~0u, d.is_pace = h->shown && h->fault.kind == FAULT_CONDUCTIVITY;
+    for (int i = 0; i < failing; i++) {
+        double share;
+        const struct fault_fit *c = best_fit(row[i].evidence, h, 0, &share);
+        if (!c || share < VOTE) continue;
+        d.sides &= c->sides, d.is_pace &= c->is_pace;
+        if (h->fault.at == FAULT_ANY && c->fault.at != h->shown->fault.at) d.fault.at = FAULT_ANY;
+    }
+    wording_fault(&d);
+    return d;
+}
+
+struct headline headline_choose(const struct diagnosis *found, int failing, headline_check *contradicts,
+                                const void *context) {
+    enum { MOST = 400, TRIES = 8 };
+    struct headline h = {.failing = failing};
+    struct hypothesis *list = xcalloc(MOST, sizeof *list);
+    int known = 0, n = suggest(found, failing, list, MOST);
+    for (int i = 0; i < failing; i++) known += found[i].named || found[i].evidence;
+    for (int i = 0; i < n; i++) judge(&list[i], found, failing, known);
+    for (int try = 0; try < TRIES && n > 0; try++) {
+        int best = 0;
+        for (int i = 1; i < n; i++)
+            if (is_better(&list[i], &list[best])) best = i;
+        if (list[best].votes < 2 && !(known == 1 && list[best].votes)) break;
+        h.fault = named(&list[best], found, failing);
+        h.scope = contradicts ? contradicts(&h.fault, context) : 0;
+        if (h.scope != 1) {
+            h.share = list[best].score, h.votes = list[best].votes;
+            h.is_firm = is_firm(list, n, &list[best], known);
+            break;
+        }
+        h.fault = (struct diagnosis){.named = 0};
+        list[best] = list[--n];
+    }
+    free(list);
     return h;
 }
 
-void headline_print(const struct headline *h, char text[HEADLINE_TEXT]) {
-    *text = '\0';
-    if (h->votes)
-        snprintf(text, HEADLINE_TEXT, "%s%s (%d of %d rows that do not pass)", h->is_firm ? "" : "perhaps ",
-                 h->fault.what, h->votes, h->failing);
+double headline_share(const struct headline *h, const struct diagnosis *row) {
+    if (!h->fault.named) return NAN;
+    struct hypothesis of = {.fault = h->fault.fault, .unit = h->fault.unit, .size = h->fault.size};
+    if (*of.unit == '%') of.size /= 100;
+    if (*of.unit == '\0') of.unit = "%", of.size = 1;
+    if (of.fault.kind == FAULT_MEAN) of.fault.at = 0;
+    return row->named || row->evidence ? share_of(row, &of) : NAN;
 }
 
-int headline_contradicts(const struct headline *h, const struct problem *p, double dx, double zero, double ceiling) {
+void headline_print(const struct headline *h, const char *class, char text[HEADLINE_TEXT]) {
+    *text = '\0';
+    if (h->fault.named)
+        snprintf(text, HEADLINE_TEXT, "%s%s%s%s (%d of %d rows that do not pass)", h->is_firm ? "" : "perhaps ",
+                 h->scope ? class : "", h->scope ? ", " : "", h->fault.what, h->votes, h->failing);
+}
+
+/* ---- Rows that pass ---- */
+
+/* The size of *d at spacing dx, in the unit of its fault. */
+static double size_at(const struct problem *p, const struct diagnosis *d, double dx, double dt) {
+    double diffusive = dx * dx / problem_diffusivity(p);
+    if (strcmp(d->unit, "cells") == 0) return d->size * dx;
+    if (strcmp(d->unit, "%") == 0) return d->size / 100;
+    if (strcmp(d->unit, "steps") == 0) return d->size * (dt > 0 ? dt : d->fourier * diffusive);
+    if (strcmp(d->unit, FIT_DIFFUSIVE) == 0) return d->size * diffusive;
+    return *d->unit ? d->size : 1;
+}
+
+double headline_effect(const struct problem *p, const struct diagnosis *d, double dx, double dt, double zero) {
+    struct response_lattice l;
+    struct response r;
+    struct fault fault = d->fault;
+    const unsigned is = fault_rows[fault.kind].is;
+    double size = size_at(p, d, dx, dt), sum = 0, whole = 0;
+    if (fault.kind == FAULT_MEAN) fault.at = 0;
+    if (is & FAULT_RUNG || fault.kind == FAULT_SAMPLES || response_lattice_create(p, &l)) return NAN;
+    int failed = response_take(p, &l, fault, is & (FAULT_BENDS | FAULT_CELL) ? size : 0, &r);
+    if (!failed) {
+        struct field f;
+        field_alloc_lattice(&f, p->dim, l.n, NULL);
+        for (int a = 0; a < p->dim; a++)
+            for (int i = 0; i < l.n[a]; i++) f.x[a][i] = p->lo[a] + (i + 0.5) * l.dx;
+        response_at(&r, &l, &f, l.T, f.T);
+        for (size_t i = 0; i < f.n; i++) sum += fabs(size * f.T[i]), whole += fabs(l.T[i] - zero);
+        field_free(&f);
+        response_free(&r);
+    }
+    response_lattice_free(&l);
+    return failed ? NAN : sum / whole;
+}
+
+int headline_contradicts(const struct diagnosis *fault, const struct problem *p, double dx, double dt, double zero,
+                         double ceiling) {
     static const double SURE = 2; /* the rest of the error, up to a ceiling itself, may have the other sign */
-    struct diagnosis d = h->fault;
-    int other_mean = d.fault.kind == FAULT_MEAN && (d.fault.axis == FAULT_ANY || d.fault.axis == MEAN_IS_OTHER);
-    if (other_mean || (d.fault.axis == FAULT_ANY && p->dim > 1)) return 0; /* it may differ from row to row */
-    if (d.fault.axis == FAULT_ANY) d.fault.axis = 0;
+    struct diagnosis d = *fault;
+    int other_mean = d.fault.kind == FAULT_MEAN && (d.fault.at == FAULT_ANY || d.fault.at == MEAN_IS_OTHER);
+    if (other_mean || (d.fault.at == FAULT_ANY && p->dim > 1)) return 0; /* it may differ from row to row */
+    if (d.fault.at == FAULT_ANY) d.fault.at = 0;
     if (p->k_law && d.fault.kind == FAULT_CONDUCTIVITY) return 0; /* k there is from a law of its own */
     int of_sides = d.fault.kind == FAULT_EXTENT || d.fault.kind == FAULT_WALL;
-    if (of_sides && (!d.sides || d.sides & ~diagnosis_sides(p, d.fault))) return 0; /* walls of another kind */
-    return diagnosis_effect(p, &d, dx, zero) > SURE * ceiling;
+    if (of_sides && (!d.sides || d.sides & ~fault_sides(p, d.fault))) return 0; /* walls of another kind */
+    return headline_effect(p, &d, dx, dt, zero) > SURE * ceiling;
 }

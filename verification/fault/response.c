@@ -5,6 +5,7 @@
  */
 #include "verification/fault/response.h"
 
+#include "references/kirchhoff.h"
 #include "solver/method.h"
 
 #include <gsl/gsl_interp2d.h>
@@ -22,15 +23,93 @@ static double fourier_of(const struct problem *p) {
     return p->k_law ? 0 : FOURIER;
 }
 
-static int solve(const struct problem *p, double dx, double fourier, enum mean mean, struct field *f) {
+/* ---- Steps with a change of the equation ---- */
+
+struct steps {
+    const struct faulty *f;
+    int n[DIM_MAX], stride[DIM_MAX], all;
+    double dx;
+    double *T, *rate;
+};
+
+static void centre(const struct steps *c, int i, double x[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) x[a] = c->f->right->lo[a] + (i / c->stride[a] % c->n[a] + 0.5) * c->dx;
+}
+
+static double conducts(const struct problem *p, const double *x, int a, double T) {
+    if (p->k_law) return kirchhoff_k(p, T);
+    return p->material[p->materials == 2 && x[0] >= p->interface].k[a];
+}
+
+/* What face `hi` across axis a adds to the cell i at x, W m^-3. */
+static double through(const struct steps *c, int i, const double *x, int a, int hi, double t) {
+    const struct problem *p = &c->f->problem;
+    const enum side s = (enum side)(2 * a + hi);
+    const int place = i / c->stride[a] % c->n[a], at_side = place == (hi ? c->n[a] - 1 : 0);
+    double k = conducts(p, x, a, c->T[i]), dx2 = c->dx * c->dx, y[DIM_MAX] = {x[0], x[1], x[2]};
+    if (at_side && p->side[s] != PERIODIC) {
+        y[a] = hi ? p->hi[a] : p->lo[a];
+        double value = p->wall(p, s, y, t), half = c->dx / (2 * k);
+        if (p->side[s] == NEUMANN) return value / c->dx;
+        return (value - c->T[i]) / (half + (p->side[s] == ROBIN ? 1 / p->robin[s] : 0)) / c->dx;
+    }
+    int j = i + (hi ? 1 : -1) * c->stride[a] * (at_side ? 1 - c->n[a] : 1);
+    y[a] += hi ? c->dx : -c->dx;
+    double beyond = conducts(p, y, a, c->T[j]), both = p->k_law ? (k + beyond) / 2 : 2 * k * beyond / (k + beyond);
+    return (c->f->laplacian ? k : both) * (c->T[j] - c->T[i]) / dx2 * (at_side && c->f->twice[a] ? 2 : 1);
+}
+
+static void step(struct steps *c, double t, double dt) {
+    const struct problem *p = &c->f->problem;
+    for (int i = 0; i < c->all; i++) {
+        double x[DIM_MAX];
+        centre(c, i, x);
+        c->rate[i] = problem_source(p, x, t);
+        for (int face = 0; face < 2 * p->dim; face++) c->rate[i] += through(c, i, x, face / 2, face % 2, t);
+        c->rate[i] /= p->material[p->materials == 2 && x[0] >= p->interface].rho_c;
+    }
+    for (int i = 0; i < c->all; i++) c->T[i] += dt * c->rate[i];
+}
+
+/* Euler's method for changes of the equation that no problem of the solver has. */
+static void solve_by_steps(const struct faulty *f, double dx, struct field *out) {
+    const struct problem *p = &f->problem;
+    struct steps c = {.f = f, .dx = dx, .all = 1};
+    for (int a = 0; a < DIM_MAX; a++) {
+        c.n[a] = a < p->dim ? (int)lround((p->hi[a] - p->lo[a]) / dx) : 1;
+        c.stride[a] = c.all;
+        c.all *= c.n[a];
+    }
+    field_alloc_lattice(out, p->dim, c.n, NULL);
+    c.T = out->T;
+    c.rate = xcalloc((size_t)c.all, sizeof *c.rate);
+    for (int i = 0; i < c.all; i++) {
+        double x[DIM_MAX];
+        centre(&c, i, x);
+        c.T[i] = p->initial(p, x);
+    }
+    const double steps = ceil(p->t_end * problem_diffusivity(p) * p->dim / (0.3 * dx * dx)), dt = p->t_end / steps;
+    for (double n = 0; n < steps; n++) step(&c, n * dt, dt);
+    free(c.rate);
+}
+
+/* ---- Runs ---- */
+
+static int solve(const struct faulty *with, double dx, double fourier, struct field *f) {
+    const struct problem *p = &with->problem;
     struct failure ignored;
     struct options o = {.dx = dx,
                         .fourier = fourier,
                         .stepper = fourier > 0 ? STEPPER_EULER : STEPPER_RKL2,
                         .sampling = p->jumps[0] + p->jumps[1] + p->jumps[2] ? SAMPLING_CELL : SAMPLING_POINT,
-                        .mean = p->k_law && mean != MEAN_HARMONIC ? MEAN_KIRCHHOFF : mean,
+                        .mean = p->k_law && with->mean != MEAN_HARMONIC ? MEAN_KIRCHHOFF : with->mean,
                         .domain = DOMAIN_WHOLE};
     return method_solve(method_find("ftcs"), p, &o, f, &ignored);
+}
+
+/* The right problem, as a faulty one. */
+static void make_none(const struct problem *p, struct faulty *none) {
+    faulty_make(p, (struct fault){FAULT_AMPLITUDE, 0}, 0, none);
 }
 
 static int is_face(double at, double lo, double dx) {
@@ -57,13 +136,15 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
         if (fit(p, i) > best) best = fit(p, i), n = i;
     if (best < 0 || p->shape) return -1; /* rings do not form a lattice */
     struct field f;
+    struct faulty none;
+    make_none(p, &none);
     *l = (struct response_lattice){.dx = (p->hi[0] - p->lo[0]) / n};
-    if (solve(p, l->dx, fourier_of(p), MEAN_SERIES, &f)) return -1;
+    if (solve(&none, l->dx, fourier_of(p), &f)) return -1;
     memcpy(l->n, f.shape, sizeof l->n);
     l->T = f.T;
     f.T = NULL;
     field_free(&f);
-    if (solve(p, l->dx, 3 * FOURIER, MEAN_SERIES, &f)) {
+    if (solve(&none, l->dx, 3 * FOURIER, &f)) {
         response_lattice_free(l);
         return -1;
     }
@@ -81,14 +162,25 @@ void response_lattice_free(struct response_lattice *l) {
     *l = (struct response_lattice){0};
 }
 
-static void along_rod(const gsl_interp_type *type, const double *x, const double *D, size_t n, const struct field *f,
+/* Where the answer with a fault takes its value for point i. */
+static double *place(const struct faulty *with, const struct field *f, size_t i, double x[DIM_MAX]) {
+    field_place(f, i, x);
+    for (int a = 0; a < f->dim; a++) {
+        if (with->mirrored[a]) x[a] = 2 * with->centre[a] - x[a];
+        x[a] -= with->moved[a];
+    }
+    return x;
+}
+
+static void along_rod(const struct faulty *with, const double *x, const double *D, size_t n, const struct field *f,
                       double *out) {
+    const gsl_interp_type *type = with->right->materials == 2 ? gsl_interp_steffen : gsl_interp_cspline;
     gsl_spline *spline = gsl_spline_alloc(type, n);
     gsl_interp_accel *near = gsl_interp_accel_alloc();
     gsl_spline_init(spline, x, D, n);
     for (size_t i = 0; i < f->n; i++) {
         double to[DIM_MAX];
-        field_place(f, i, to);
+        place(with, f, i, to);
         double at = fmin(fmax(to[0], x[0]), x[n - 1]);
         out[i] = gsl_spline_eval(spline, at, near);
         if (at != to[0]) out[i] += (to[0] - at) * gsl_spline_eval_deriv(spline, at, near);
@@ -97,13 +189,14 @@ static void along_rod(const gsl_interp_type *type, const double *x, const double
     gsl_spline_free(spline);
 }
 
-static void in_plane(double *const x[2], const double *D, const int n[2], const struct field *f, double *out) {
+static void in_plane(const struct faulty *with, double *const x[2], const double *D, const int n[2],
+                     const struct field *f, double *out) {
     gsl_spline2d *spline = gsl_spline2d_alloc(gsl_interp2d_bicubic, (size_t)n[0], (size_t)n[1]);
     gsl_interp_accel *near[2] = {gsl_interp_accel_alloc(), gsl_interp_accel_alloc()};
     gsl_spline2d_init(spline, x[0], x[1], D, (size_t)n[0], (size_t)n[1]);
     for (size_t i = 0; i < f->n; i++) {
         double to[DIM_MAX], at[2];
-        field_place(f, i, to);
+        place(with, f, i, to);
         for (int a = 0; a < 2; a++) at[a] = fmin(fmax(to[a], x[a][0]), x[a][n[a] - 1]);
         out[i] = gsl_spline2d_eval(spline, at[0], at[1], near[0], near[1]);
         if (at[0] != to[0])
@@ -126,11 +219,12 @@ static int cubic_weights(const double *x, int n, double at, double w[4]) {
     return first;
 }
 
-static void in_space(double *const x[], const double *D, const int n[], const struct field *f, double *out) {
+static void in_space(const struct faulty *with, double *const x[], const double *D, const int n[],
+                     const struct field *f, double *out) {
     for (size_t i = 0; i < f->n; i++) {
         double at[DIM_MAX], w[DIM_MAX][4], sum = 0;
         int first[DIM_MAX];
-        field_place(f, i, at);
+        place(with, f, i, at);
         for (int a = 0; a < DIM_MAX; a++) first[a] = cubic_weights(x[a], n[a], at[a], w[a]);
         for (int k = 0; k < 64; k++) {
             int c = first[0] + k % 4 + n[0] * (first[1] + k / 4 % 4 + n[1] * (first[2] + k / 16));
@@ -155,19 +249,18 @@ static void carry(const struct faulty *f, const struct response_lattice *l, cons
     double *x[DIM_MAX] = {NULL};
     for (int a = 0; a < f->right->dim; a++) x[a] = centres(f, l, a);
     if (x[2])
-        in_space(x, T, l->n, to, out);
+        in_space(f, x, T, l->n, to, out);
     else if (x[1])
-        in_plane(x, T, l->n, to, out);
+        in_plane(f, x, T, l->n, to, out);
     else
-        along_rod(f->right->materials == 2 ? gsl_interp_steffen : gsl_interp_cspline, x[0], T, (size_t)l->n[0], to,
-                  out);
+        along_rod(f, x[0], T, (size_t)l->n[0], to, out);
     for (int a = 0; a < DIM_MAX; a++) free(x[a]);
 }
 
 void response_base(const struct problem *p, const struct response_lattice *l, const struct field *f, double *base,
                    double *longer) {
     struct faulty none;
-    fault_make(p, (struct fault){FAULT_AMPLITUDE, 0}, 0, &none);
+    make_none(p, &none);
     carry(&none, l, l->T, f, base);
     carry(&none, l, l->longer, f, longer);
 }
@@ -183,20 +276,15 @@ void response_laplacian(const struct problem *p, const struct response_lattice *
             const double *T = l->T + c + (inner - at) * stride;
             D[c] += (T[stride] - 2 * *T + T[-stride]) / (l->dx * l->dx);
         }
-    fault_make(p, (struct fault){FAULT_AMPLITUDE, 0}, 0, &none);
+    make_none(p, &none);
     carry(&none, l, D, f, out);
     free(D);
 }
 
 int response_take(const struct problem *p, const struct response_lattice *l, struct fault fault, double size,
                   struct response *r) {
-    enum mean mean = fault.kind == FAULT_MEAN ? MEAN_ARITHMETIC : MEAN_SERIES;
-    if (fault.kind == FAULT_LAW && fault.axis == LAW_HARMONIC) mean = MEAN_HARMONIC;
-    double small = fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault); /* one cell for a local fault */
-    r->size = size != 0 ? size : small;
-    return fault_make(p, fault, r->size, &r->with) && !solve(&r->with.problem, l->dx, fourier_of(p), mean, &r->T)
-               ? 0
-               : -1;
+    r->size = size != 0 ? size : fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault); /* one cell: it is local */
+    return faulty_make(p, fault, r->size, &r->with) && !solve(&r->with, l->dx, fourier_of(p), &r->T) ? 0 : -1;
 }
 
 void response_free(struct response *r) {
@@ -209,14 +297,25 @@ void response_at(const struct response *r, const struct response_lattice *l, con
     for (size_t i = 0; i < f->n; i++) out[i] = (out[i] - base[i]) / r->size;
 }
 
-int response_at_corner(const struct problem *p, double dx, struct fault fault, const struct field *f,
-                       double *response) {
+/* by_steps: of both problems, as one of them has a change of the equation. */
+static int run_on_cells(const struct faulty *with, double dx, int by_steps, struct field *f) {
+    if (!by_steps) return solve(with, dx, 4 * FOURIER, f);
+    solve_by_steps(with, dx, f);
+    return 0;
+}
+
+int response_on_cells(const struct problem *p, double dx, struct fault fault, const struct field *f,
+                      double *response) {
     const int most = p->dim == 3 ? 48 : 160;
-    struct faulty with;
+    struct faulty with, none;
     struct field right, faulty;
-    if ((p->hi[0] - p->lo[0]) / dx > most + 0.5 || !fault_make(p, fault, dx, &with)) return -1;
-    if (solve(p, dx, 4 * FOURIER, MEAN_SERIES, &right)) return -1;
-    int failed = solve(&with.problem, dx, 4 * FOURIER, MEAN_SERIES, &faulty);
+    if ((p->hi[0] - p->lo[0]) / dx > most + 0.5 || !faulty_make(p, fault, dx, &with)) return -1;
+    for (int a = 0; a < p->dim; a++)
+        if (!is_face(p->hi[a], p->lo[a], dx)) return -1;
+    make_none(p, &none);
+    int failed = run_on_cells(&none, dx, with.by_steps, &right);
+    if (failed) return -1;
+    failed = run_on_cells(&with, dx, with.by_steps, &faulty);
     if (!failed) {
         struct response_lattice l = {{right.shape[0], right.shape[1], right.shape[2]}, dx, right.T, NULL};
         for (size_t i = 0; i < right.n; i++) right.T[i] = faulty.T[i] - right.T[i];

@@ -47,10 +47,10 @@ void response_free(struct response *r);
 void response_at(const struct response *r, const struct response_lattice *l, const struct field *f,
                  const double *base, double *out);
 
-/* Sets response[f->n] to the response to FAULT_CORNER, K for a complete loss.  It is computed on a lattice of cells
- * of size dx, m, since the loss in the cell of a corner is not proportional to dx.  Returns 0, or -1 if *p cannot
- * have the fault or more than 160 cells along x (48 in space) would be needed. */
-int response_at_corner(const struct problem *p, double dx, struct fault fault, const struct field *f,
-                       double *response);
+/* Sets response[f->n] to the response to a fault of FAULT_RUNG, K, on a lattice of cells of size dx, m: what is wrong
+ * in a cell is not proportional to dx.  Returns 0, or -1 if *p cannot have the fault or more than 160 cells along x
+ * (48 in space) would be needed. */
+int response_on_cells(const struct problem *p, double dx, struct fault fault, const struct field *f,
+                      double *response);
 
 #endif

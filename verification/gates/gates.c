@@ -3,7 +3,6 @@
  * executed with those declared. */
 #include "verification/gates/gates.h"
 
-#include "verification/fault/headline.h"
 #include "verification/judge/command.h"
 #include "verification/solve/program.h"
 #include "verification/text/output.h"
@@ -125,42 +124,4 @@ int gates_status(const struct gates *g) {
     if (g->declared == 0 || g->executed != g->declared || sound < g->declared) return STATUS_GATE;
     if (g->program && t.skipped == g->declared) return STATUS_SKIPPED;
     return t.undecided || !t.passed ? STATUS_INCONCLUSIVE : STATUS_OK;
-}
-
-/* 1 where a row that passed could not have done so with the fault of *h. */
-static int contradicts(const struct gate *gate, const struct headline *h) {
-    static const char *const external[] = {"--solver", "{case} {out}", NULL}; /* METHOD is then a label */
-    struct command r;
-    struct failure ignored;
-    struct image image;
-    int against = 0;
-    const int is_order = strcmp(gate->measure, "order") == 0, is_error = strcmp(gate->measure, "error") == 0;
-    const double ceiling = is_error ? gate->hi : gate->ceiling;
-    if (!(is_order || is_error) || !(ceiling > 0)) return 0;
-    if (!command_read_with(gate->command, external, &r, &ignored)) {
-        const struct experiment *e = &r.experiment;
-        double finest = r.rungs.dx.count ? r.rungs.dx.value[0] : e->options.dx;
-        for (int i = 1; i < r.rungs.dx.count; i++) finest = fmin(finest, r.rungs.dx.value[i]);
-        mapping_image(&e->program.map, &e->problem, &image);
-        if (!e->derived && (e->problem.materials == 1 || image.interface_axis == 0))
-            against = headline_contradicts(h, &image.problem, finest, e->program.map.offset, ceiling);
-    }
-    command_free(&r);
-    return against;
-}
-
-void gates_diagnosis(const struct gates *g, char *text, size_t size) {
-    struct diagnosis *found = xcalloc((size_t)g->declared, sizeof *found);
-    int failing = 0, against = 0;
-    for (int i = 0; i < g->declared; i++) {
-        const struct measured *m = &g->result[i].measured;
-        if (m->verdict == VERDICT_FAIL || m->verdict == VERDICT_INCONCLUSIVE) found[failing++] = m->found;
-    }
-    struct headline h = headline_choose(found, failing);
-    for (int i = 0; i < g->declared && h.votes && !against; i++)
-        against = gates_holds(&g->result[i]) && contradicts(&g->result[i].gate, &h);
-    char said[HEADLINE_TEXT] = "";
-    if (!against) headline_print(&h, said);
-    snprintf(text, size, "%s", said);
-    free(found);
 }

@@ -47,6 +47,7 @@ struct gates {
     char **kept;                /* owned: `texts` texts of gates_keep */
     int texts;
     const struct program *program; /* answers all rows; NULL: each row by its own command */
+    char diagnosis[400];           /* by gates_diagnose; "" if there is none */
     const char *origin;            /* words of `verify` that give these rows; NULL for none */
 };
 
@@ -132,8 +133,8 @@ struct gates_tally gates_tally(const struct gates *g, const char *id);
  * judged; otherwise STATUS_GATE. */
 int gates_status(const struct gates *g);
 
-/* wording_all of those that do not hold. */
-void gates_diagnosis(const struct gates *g, char *text, size_t size);
+/* Sets g->diagnosis: one fault for all rows that do not hold, or what they share; and what it leaves of each row. */
+void gates_diagnose(struct gates *g);
 
 /* 1 if a row of the table gates an order of the scene and method. */
 int gates_has_order(const char *scene, const char *method);

@@ -47,9 +47,13 @@ static void keep_rungs(const struct ladder *l, struct rungs *to) {
 }
 
 void measures_diagnosed(struct measured *m, const struct diagnosis *d) {
-    if (!d->named) return;
+    free(m->found.evidence);
     m->found = *d;
-    wording_text(d, m->diagnosis, sizeof m->diagnosis);
+    if (d->named) wording_text(d, m->diagnosis, sizeof m->diagnosis);
+}
+
+static double step_of(const struct experiment *e, const struct result *r) {
+    return r->dt > 0 || !(r->steps > 0) ? r->dt : e->problem.t_end / (double)r->steps;
 }
 
 int measures_ladder(const struct command *r, double lo, double hi, struct ladder *l, struct measured *m) {
@@ -64,6 +68,7 @@ int measures_ladder(const struct command *r, double lo, double hi, struct ladder
     *m = (struct measured){.value = l->slope.value,
                            .ci = {l->slope.ci[0], l->slope.ci[1]},
                            .error = ladder_finest_error(l),
+                           .dt = step_of(&r->experiment, &l->rung[l->n - 1]),
                            .verdict = l->verdict};
     snprintf(m->reason, sizeof m->reason, "%s", l->reason);
     measures_diagnosed(m, &d);
@@ -129,7 +134,7 @@ void measures_operator_slope(const struct command *r, double lo, double hi, stru
 int measures_run(const struct experiment *e, struct result *r, struct field *f, struct measured *m) {
     int status = run_experiment(e, r, f);
     measures_fail(m, &r->failure);
-    if (!status) m->error = r->error.l1;
+    if (!status) m->error = r->error.l1, m->dt = step_of(e, r);
     return status;
 }
 

@@ -28,11 +28,12 @@ struct rungs {
 struct measured {
     double value;
     double ci[2]; /* 95 % interval of a slope; else the value twice */
+    double dt;    /* s: time step of the finest rung; 0: unknown */
     double error; /* bounded by a ceiling: E1; for a ladder its norm at the finest rung that counts; NaN: none */
     enum verdict verdict;
     char reason[400];
-    struct diagnosis found; /* the common fault that the errors resemble; not named if none was searched for */
-    char diagnosis[280];    /* `found` in words; "" if none is named */
+    struct diagnosis found; /* the common fault that the errors resemble; its evidence is owned */
+    char diagnosis[340];    /* in words; "" if none is named */
     struct rungs rungs;
 };
 
@@ -55,7 +56,7 @@ extern const struct measure measures[]; /* ended by a NULL name */
 void measures_fail(struct measured *m, const struct failure *why);
 void measures_judge(struct measured *m, double value, double lo, double hi);
 
-/* Keeps a diagnosis that names a fault. */
+/* Keeps a diagnosis with its evidence, and its words if it names a fault. */
 void measures_diagnosed(struct measured *m, const struct diagnosis *d);
 
 /* Runs, judges and diagnoses a ladder by its band, into *l, which is released by ladder_free.  Returns its status: if

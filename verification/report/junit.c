@@ -2,7 +2,6 @@
 /* Gates as JUnit XML: a test suite a group, a test case a gate, failed or in error (inconclusive) with its reason. */
 
 #include "solver/status.h"
-#include "verification/fault/headline.h"
 #include "verification/text/html.h"
 #include "verification/report/page.h"
 #include "verification/text/output.h"
@@ -11,11 +10,9 @@
 
 /* Properties of the whole suite: the fault that most gates match. */
 static void put_properties(const struct gates *g, FILE *out) {
-    char diagnosis[HEADLINE_TEXT];
-    gates_diagnosis(g, diagnosis, sizeof diagnosis);
-    if (!*diagnosis) return;
+    if (!*g->diagnosis) return;
     html_print(out, "    <properties>\n      <property name=\"diagnosis\" value=\"%s\"/>\n    </properties>\n",
-               diagnosis);
+               g->diagnosis);
 }
 
 static void put_case(const struct gate_result *r, const char *group, FILE *out) {

@@ -4,7 +4,6 @@
 
 #include "solver/status.h"
 #include "version.inc"
-#include "verification/fault/headline.h"
 #include "verification/fault/wording.h"
 #include "verification/solve/program.h"
 #include "verification/judge/ladder.h"
@@ -106,14 +105,12 @@ static void put_gate(const struct gate_result *r, FILE *out) {
 
 static void put_verdict(const struct gates *g, FILE *out) {
     struct gates_tally t = gates_tally(g, NULL);
-    char diagnosis[HEADLINE_TEXT];
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, tally_word(t));
     fprintf(out, ": %d of %d gates hold", t.passed, t.judged);
     if (t.skipped) fprintf(out, ", %d skipped", t.skipped);
     fprintf(out, "</p>\n");
-    gates_diagnosis(g, diagnosis, sizeof diagnosis);
-    put_diagnosis(diagnosis, "verdict", out);
+    put_diagnosis(g->diagnosis, "verdict", out);
 }
 
 static void put_program(const struct program *p, FILE *out) {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verdicts for a reader. */
 
-#include "verification/fault/headline.h"
 #include "verification/report/page.h"
 #include "verification/text/table.h"
 #include "verification/text/verdict.h"
@@ -105,9 +104,7 @@ void print_gates(const struct gates *g, int all, double seconds) {
         if (is_skipped(&g->result[i])) print_skipped(g, i);
         if (gates_fails(&g->result[i])) print_failure(&g->result[i], all);
     }
-    char diagnosis[HEADLINE_TEXT];
-    gates_diagnosis(g, diagnosis, sizeof diagnosis);
-    if (*diagnosis) printf("\ndiagnosis: %s\n", diagnosis);
+    if (*g->diagnosis) printf("\ndiagnosis: %s\n", g->diagnosis);
     if (g->interrupted)
         printf("\ninterrupted by signal %d: %d of %d rows were judged\n", g->interrupted, g->executed, g->planned);
     printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive",

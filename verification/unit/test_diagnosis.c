@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Faults planted in a correct code are named, with their size; a correct code has none. */
 #include "verification/fault/diagnosis.h"
-
-#include "references/scene.h"
-#include "solver/method.h"
+#include "verification/fault/headline.h"
 
 #include "verification/unit/diagnosed_problems.h"
 #include "verification/unit/near.h"
@@ -12,51 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct rung {
-    struct field field;
-    double *exact;
-    struct diagnosis_rung at;
-};
-
-/* A code that solves *p with a fault of the size `units` (cells, steps, or parts) at dx, by ftcs with F = 0.2. */
-static void solve(const char *name, const struct problem *p, struct fault fault, double units, double dx,
-                  struct rung *r) {
-    struct faulty with;
-    struct failure why;
-    struct options o = {.dx = dx,
-                        .fourier = 0.2,
-                        .stepper = STEPPER_EULER,
-                        .sampling = p->jumps[0] ? SAMPLING_CELL : SAMPLING_POINT,
-                        .mean = MEAN_SERIES,
-                        .domain = DOMAIN_WHOLE};
-    double kappa = 0, size = units;
-    for (int m = 0; m < p->materials; m++)
-        for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
-    double dt = p->t_end / ceil(p->t_end * kappa / (0.2 * dx * dx));
-    if (fault.kind == FAULT_CLOCK || fault.kind == FAULT_SOURCE_TIME || fault.kind == FAULT_WALL_TIME) size *= dt;
-    if (fault.kind == FAULT_EXTENT || fault.kind == FAULT_START_SHIFT || fault.kind == FAULT_START_WIDTH ||
-        fault.kind == FAULT_INTERFACE || fault.kind == FAULT_MEAN || fault.kind == FAULT_CORNER ||
-        fault.kind == FAULT_NEAR_WALL)
-        size *= dx;
-    double inside[2] = {p->lo[0] + 0.3 * (p->hi[0] - p->lo[0]), p->lo[1] + 0.4 * (p->hi[1] - p->lo[1])};
-    if (fault.kind == FAULT_MEAN) o.mean = MEAN_ARITHMETIC;
-    assert_true(fault_make(p, fault, size, &with));
-    if (fault.kind == FAULT_SOURCE_TIME)
-        assert_near(problem_source(&with.problem, inside, 0.1), problem_source(p, inside, 0.1 + size), 1e-15);
-    if (method_solve(method_find("ftcs"), &with.problem, &o, &r->field, &why)) fail_msg("%s: %s", name, why.text);
-    r->exact = xcalloc(r->field.n, sizeof *r->exact);
-    for (int a = 0; a < p->dim; a++)
-        for (int i = 0; i < r->field.shape[a]; i++)
-            r->field.x[a][i] = with.centre[a] + with.stretch[a] * (r->field.x[a][i] - with.centre[a]);
-    for (size_t i = 0; i < r->field.n; i++) {
-        double x[DIM_MAX];
-        field_place(&r->field, i, x);
-        struct exact e = scene_exact(scene_of(name), p, x, p->t_end);
-        r->exact[i] = e.no_value ? NAN : e.temperature;
-    }
-    r->at = (struct diagnosis_rung){&r->field, r->exact, dx, dt, NAN};
-}
 
 /* A fault of units[0] at dx and units[1] at 2 dx; the program prints steps of `says` times their length (0: none). */
 static struct diagnosis find_in(const char *name, struct fault fault, double dx, const double units[2],
@@ -70,7 +23,8 @@ static struct diagnosis find_in(const char *name, struct fault fault, double dx,
     }
     diagnosis_find(&p, &r[0].at, &r[1].at, &d);
     print_message("%-18s %s\n", name, d.what);
-    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+    for (int i = 0; i < 2; i++) forget(&r[i]);
+    free(d.evidence);
     return d;
 }
 
@@ -116,7 +70,7 @@ static void faults_are_named_with_their_size(void **state) {
         {CHANGING, 0.0125, {FAULT_CLOCK, 0}, 0.5, 0.5, "late"},
         {"rod-cooling", 0.005, {FAULT_COEFFICIENT, 1}, 0.02, 2, "coefficient of side x_hi were"},
         {"rod-cooling", 0.005, {FAULT_COEFFICIENT, 1}, -0.5, -50, "coefficient of side x_hi were"},
-        {"rod-cooling", 0.005, {FAULT_COEFFICIENT, 1}, -1, -100, "cooled sides were insulated"},
+        {"rod-cooling", 0.005, {FAULT_INSULATED, 1}, 1, 100, "side x_hi were insulated"},
         {"plate-cooling", 0.025, {FAULT_COEFFICIENT, FAULT_ALL_SIDES}, -1, -100, "cooled sides were insulated"},
         {"rod-cooling", 0.005, {FAULT_COEFFICIENT, 1}, 2, 200, "coefficient of side x_hi were"},
         {"square-step", 0.05, {FAULT_AXIS, 1}, 0.6, 60, "k_y were"},
@@ -128,13 +82,17 @@ static void faults_are_named_with_their_size(void **state) {
         {"rod-contact", 0.01, {FAULT_RHO_C, 0}, 0.1, 10, "rho c of the first material were"},
         {"rod-contact", 0.01, {FAULT_DIFFUSIVITY, 0}, 1, 100, "mean of diffusivities"},
         {"wall-composite", 0.01, {FAULT_DIFFUSIVITY, 0}, 1, 100, "mean of diffusivities"},
-        {CHANGING, 0.0125, {FAULT_FROZEN, 0}, 1, 100, "source kept its first value"},
+        {CHANGING, 0.0125, {FAULT_SOURCE_FROZEN, 0}, 1, 100, "source kept its first value"},
         {"rod-driven", 0.025, {FAULT_WALL_TIME, 0}, -1, -1, "walls were those of"},
         {"rod-driven", 0.025, {FAULT_CLOCK, 0}, -1, -1, "run had stopped"},
         {"rod-driven", 0.025, {FAULT_WALL_FROZEN, 0}, 1, 100, "walls kept their first values"},
         {"plate-driven", 0.05, {FAULT_WALL_TIME, 0}, 2, 2, "walls were those of"},
         {"plate-driven", 0.05, {FAULT_CLOCK, 0}, 2, 2, "run had stopped"},
         {"plate-driven", 0.05, {FAULT_WALL_FROZEN, 0}, 1, 100, "walls kept their first values"},
+        {"rect-manufactured", 0.025, {FAULT_POINTS, FAULT_BOTH_AXES}, -0.5, -0.5, "points of the answer were 0.5"},
+        {"rect-manufactured", 0.025, {FAULT_ALONG, FAULT_BOTH_AXES}, 1, 1, "cells too far up, along the wall"},
+        {"rect-manufactured", 0.025, {FAULT_INSULATED, X_LO}, 1, 100, "side x_lo were insulated"},
+        {"wave", 0.025, {FAULT_NOT_PERIODIC, 1}, 1, 100, "periodic sides across y were insulated"},
         {"rod-cooling", 0.005, {FAULT_NEAR_WALL, 0}, 0.5, 0.5, "half a cell inside"},
         {"plate-cooling", 0.025, {FAULT_NEAR_WALL, 0}, 0.5, 0.5, "half a cell inside"},
         {"rod-step", 0.025, {FAULT_OFFSET, 0}, -0.07, -0.07, "all temperatures are 0.07 K too low"},
@@ -143,7 +101,10 @@ static void faults_are_named_with_their_size(void **state) {
     int wrong = 0;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct diagnosis d = find(rows[i].scene, rows[i].fault, rows[i].units, rows[i].dx);
-        wrong += !d.named || !strstr(d.what, rows[i].what) || fabs(d.size - rows[i].size) > 0.2 * fabs(rows[i].size);
+        int is_right =
+            d.named && strstr(d.what, rows[i].what) && fabs(d.size - rows[i].size) <= 0.2 * fabs(rows[i].size);
+        if (!is_right) print_message("not %s, %g\n", rows[i].what, rows[i].size);
+        wrong += !is_right;
     }
     assert_int_equal(wrong, 0);
 }
@@ -159,12 +120,13 @@ static void point_values_in_place_of_means_are_named(void **state) {
     p.param[1] = 8.0 / 15; /* a */
     if (scene_find("rod-step")->setup(&p, &why)) fail_msg("%s", why.text);
     for (int k = 0; k < 2; k++) {
-        solve("rod-step", &p, (struct fault){FAULT_SAMPLES, 0}, k ? 0.05 / 3 : -0.025 / 3, k ? 0.05 : 0.025, &r[k]);
+        solve("rod-step", &p, (struct fault){FAULT_SAMPLES, 0}, k ? 1 / 3.0 : -1 / 3.0, k ? 0.05 : 0.025, &r[k]);
     }
     diagnosis_find(&p, &r[0].at, &r[1].at, &d);
     print_message("%s\n", d.what);
     assert_has(d.what, "values at the points");
-    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+    for (int i = 0; i < 2; i++) forget(&r[i]);
+    free(d.evidence);
 }
 
 static void rounded_temperatures_are_named(void **state) {
@@ -265,8 +227,8 @@ static void initial_data_reveal_cell_means(void **state) {
         assert_near(found.size, steps[i], 0.02);
         for (size_t k = 0; k < start.field.n; k++) start.field.T[k] += 0.01 * sin(0.3 * (double)k);
         assert_nan(diagnosis_mean(&early, &start.at)); /* something else */
-        field_free(&start.field), free(start.exact);
-        for (int k = 0; k < 2; k++) field_free(&r[k].field), free(r[k].exact);
+        forget(&start), free(found.evidence);
+        for (int k = 0; k < 2; k++) forget(&r[k]);
     }
     static const char *const neither[] = {"rect-manufactured", "plate"}; /* a source adds values; no laplace(T) */
     for (int i = 0; i < 2; i++) {
@@ -274,7 +236,7 @@ static void initial_data_reveal_cell_means(void **state) {
         struct rung start;
         solve(neither[i], &made, (struct fault){FAULT_CLOCK, 0}, 0, i ? 0.005 : 0.05, &start);
         assert_nan(diagnosis_mean(&made, &start.at));
-        field_free(&start.field), free(start.exact);
+        forget(&start);
     }
 }
 
@@ -369,12 +331,13 @@ static void means_of_conductivities_are_distinguished(void **state) {
             solve("rod-contact", &p, (struct fault){FAULT_MEAN, 0}, 1, dx, &wrong);
             for (size_t j = 0; j < r[k].field.n; j++)
                 r[k].field.T[j] += found[i] * (wrong.field.T[j] - r[k].field.T[j]);
-            field_free(&wrong.field), free(wrong.exact);
+            forget(&wrong);
         }
         diagnosis_find(&p, &r[0].at, &r[1].at, &d);
         print_message("%s\n", d.what);
         assert_has(d.what, said[i]);
-        for (int k = 0; k < 2; k++) field_free(&r[k].field), free(r[k].exact);
+        for (int k = 0; k < 2; k++) forget(&r[k]);
+        free(d.evidence);
     }
 }
 
@@ -390,7 +353,7 @@ static void unstable_runs_are_named(void **state) {
     assert_has(d.what, "the run is unstable, up to 1e+09 K");
     for (size_t i = 0; i < r.field.n; i++) r.field.T[i] = 1e9;
     assert_int_equal(diagnosis_unstable(&r.at, &d), 0); /* another scale, without a sawtooth */
-    field_free(&r.field), free(r.exact);
+    forget(&r);
 }
 
 /* 2 % more conductivity on a Gaussian of kappa t/sigma0^2 = c: T = (1 + 2 c)^-1/2 exp(-x^2/(2 sigma^2)) loses at x
@@ -401,13 +364,13 @@ static void response_is_the_relative_error_of_a_fault(void **state) {
     struct diagnosis d = {.named = 1, .fault = {FAULT_CONDUCTIVITY, 0}, .size = 2, .unit = "%"};
     double c = p.material[0].k[0] * p.t_end / (p.material[0].rho_c * p.param[1] * p.param[1]);
     double want = 0.02 * c / (1 + 2 * c) * 4 / sqrt(2 * M_PI * exp(1));
-    assert_near(diagnosis_effect(&p, &d, 0.1, 0), want, 0.03 * want);
+    assert_near(headline_effect(&p, &d, 0.1, 0, 0), want, 0.03 * want);
     d.fault.kind = FAULT_OFFSET, d.unit = "K", d.size = 0.5;
-    assert_near(diagnosis_effect(&p, &d, 0.1, -1) / diagnosis_effect(&p, &d, 0.1, -3), 3.0, 0.4);
+    assert_near(headline_effect(&p, &d, 0.1, 0, -1) / headline_effect(&p, &d, 0.1, 0, -3), 3.0, 0.4);
     d.fault.kind = FAULT_SOURCE;
-    assert_nan(diagnosis_effect(&p, &d, 0.1, 0));
+    assert_nan(headline_effect(&p, &d, 0.1, 0, 0));
     d.fault.kind = FAULT_NOISE;
-    assert_nan(diagnosis_effect(&p, &d, 0.1, 0));
+    assert_nan(headline_effect(&p, &d, 0.1, 0, 0));
 }
 
 /* Off by 1 % of their largest, up and down from point to point: of this nothing but noise is to be seen. */
@@ -428,7 +391,8 @@ static void noise_is_not_named(void **state) {
     double sum[2] = {0, 0.03 * 0.03 * (double)r[0].field.n};
     for (size_t i = 0; i < r[0].field.n; i++) sum[0] += 1e-4 * r[0].exact[i] * r[0].exact[i];
     assert_near(percent, 100 * sum[0] / (sum[0] + sum[1]), 5);
-    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+    for (int i = 0; i < 2; i++) forget(&r[i]);
+    free(d.evidence);
 }
 
 /* Points behind the array in memory are not read; of many points a sample is used. */
@@ -457,9 +421,10 @@ static void large_answers_are_sampled(void **state) {
         print_message("%s\n", d.what);
         assert_has(d.what, "all temperatures were 1.3 % too large");
         assert_order(d.share, >, 0.9999);
+        free(d.evidence);
     }
     free(x), free(T), free(exact), free(weight);
-    field_free(&r[1].field), free(r[1].exact);
+    forget(&r[1]);
 }
 
 static void correct_codes_have_no_fault(void **state) {

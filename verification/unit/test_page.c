@@ -167,8 +167,7 @@ static void failures_have_cause_and_command(void **state) {
     static const char *const due[] = {"<p>Program: <code>mine {case} &lt;{out}&gt;</code></p>",
                                       "<p>too &lt;low&gt;</p>",
                                       "Diagnosis: 1 step late.</p>",
-                                      "<p class=\"verdict\">Diagnosis: perhaps as if k_x and k_y were in each "
-                                      "other's place (1 of 1 rows that do not pass).</p>",
+                                      "<p class=\"verdict\">Diagnosis: perhaps 1 step late (1 of 1).</p>",
                                       "<span>rod-step</span>",
                                       "<td class=\"n\">0.5</td><td class=\"n\">4.0000e-02</td><td>left out</td>",
                                       "<td class=\"n\">0.25</td><td>-</td><td>counts</td>",
@@ -177,7 +176,8 @@ static void failures_have_cause_and_command(void **state) {
                                       "<span>verify</span> <span>-v</span>"};
     struct program program = {.solver = "mine {case} <{out}>"};
     struct gate_result r = failed_ladder();
-    const char *page = page_of(&(struct gates){.declared = 1, .result = &r, .program = &program});
+    const char *page = page_of(&(struct gates){
+        .declared = 1, .result = &r, .program = &program, .diagnosis = "perhaps 1 step late (1 of 1)"});
     for (size_t i = 0; i < sizeof due / sizeof *due; i++) assert_has(page, due[i]);
     page = take("v.csv");
     assert_has(page, "\n0,1.875,2.125,1.5,1.5,1.5,0,rod/order\n");

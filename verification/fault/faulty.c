@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The data of a faulty problem.
+ *
+ * A displaced wall stretches the domain by s along an axis.  With x = c + s (X - c) the equation in X has k/s^2
+ * instead of k, and a flux q or a coefficient b at a side across that axis becomes q/s or b/s.  The lattice of the
+ * right problem can therefore be used for the faulty one. */
+#include "verification/fault/faulty.h"
+
+#include "verification/fault/fault.h"
+
+#include <math.h>
+
+int faulty_side(int corner, int a) {
+    int edge = corner - 12, along = edge / 4;
+    if (corner < 12) return 2 * a + ((corner < 4 ? corner : corner - 4) >> a & 1);
+    return a == along ? -1 : 2 * a + (edge % 4 >> (a - (a > along)) & 1);
+}
+
+enum side faulty_from(const struct faulty *f, int s) {
+    return (enum side)(2 * f->from[s / 2] + s % 2);
+}
+
+/* The fault of *p; right: position of X of the faulty problem in the coordinates of its data. */
+static const struct faulty *faulty_at(const struct problem *p, const double *x, double right[DIM_MAX]) {
+    const struct faulty *f = p->data;
+    for (int a = 0; a < p->dim; a++) right[f->from[a]] = f->centre[a] + f->stretch[a] * (x[a] - f->centre[a]);
+    return f;
+}
+
+/* Moves x away from the nearer of the jumps along an axis, which widens the region between two jumps by the size. */
+static double narrowed(const struct problem *p, int axis, double x, double size) {
+    double middle = 0;
+    for (int k = 0; k < p->jumps[axis]; k++) middle += p->jump[axis][k] / p->jumps[axis];
+    return fabs(x - middle) <= size ? middle : x - (x > middle ? size : -size);
+}
+
+static double initial(const struct problem *p, const double *x) {
+    double at[DIM_MAX];
+    const struct faulty *f = faulty_at(p, x, at);
+    for (int a = 0; a < p->dim; a++) {
+        at[a] -= f->start[a];
+        if (f->width[a] != 0) at[a] = narrowed(f->right, a, at[a], f->width[a]);
+    }
+    return f->factor * f->right->initial(f->right, at) + f->offset;
+}
+
+/* Data of a side, or their rate, with factor and offset. */
+static double scaled(const struct faulty *f, enum side s, double value, double offset) {
+    const enum side_kind kind = f->right->side[faulty_from(f, (int)s)];
+    if (kind == NEUMANN) value /= f->stretch[s / 2];
+    return f->factor * f->wall[s] * value + (kind == NEUMANN ? 0 : offset);
+}
+
+/* Position and time at which the faulty problem takes side s. */
+static double taken_at(const struct faulty *f, enum side s, double t, double at[DIM_MAX]) {
+    for (int a = 0; a < f->right->dim; a++) at[a] += a == (int)s / 2 ? 0 : f->along[a];
+    return f->frozen ? 0 : t + f->late[s];
+}
+
+static double wall(const struct problem *p, enum side s, const double *x, double t) {
+    double at[DIM_MAX];
+    const struct faulty *f = faulty_at(p, x, at);
+    const enum side from = faulty_from(f, (int)s);
+    if (f->kept == (int)s) return f->right->initial(f->right, at);
+    if (f->wall[s] == 0) return scaled(f, s, 0, f->offset);
+    t = taken_at(f, s, t, at);
+    return scaled(f, s, f->right->wall(f->right, from, at, t), f->offset);
+}
+
+static double wall_rate(const struct problem *p, enum side s, const double *x, double t) {
+    double at[DIM_MAX];
+    const struct faulty *f = faulty_at(p, x, at);
+    if (f->kept == (int)s || f->wall[s] == 0) return 0;
+    t = taken_at(f, s, t, at);
+    return scaled(f, s, f->right->wall_rate(f->right, faulty_from(f, (int)s), at, t), 0);
+}
+
+/* Heat lost in the cell of a corner or the cells of an edge, W m^-3, if its Dirichlet sides at T are assumed cold: 2
+ * k T/dx^2 for each, across half a cell.  It is zero on a side and even about it, so ghosts do not contribute. */
+static double lost_at_corner(const struct faulty *f, const double *x) {
+    const struct problem *p = f->right;
+    double dx = f->size, lost = 0;
+    if (f->corner < 0) return 0;
+    for (int a = 0; a < p->dim; a++) {
+        int s = faulty_side(f->corner, a);
+        double away = s < 0 ? dx / 2 : fabs(x[a] - (s % 2 ? p->hi[a] : p->lo[a]));
+        if (away < dx / 4 || away > 3 * dx / 4) return 0;
+    }
+    for (int a = 0; a < p->dim; a++) {
+        int s = faulty_side(f->corner, a);
+        if (s >= 0 && p->side[s] == DIRICHLET)
+            lost += 2 * p->material[0].k[a] * p->wall(p, (enum side)s, x, 0) / (dx * dx);
+    }
+    return lost;
+}
+
+static double source_at(const struct problem *p, const double *x, double t) {
+    double at[DIM_MAX];
+    const struct faulty *f = faulty_at(p, x, at);
+    double value = problem_source(f->right, at, f->source_frozen ? 0 : t + f->source_late);
+    return f->factor * f->source * value - lost_at_corner(f, at);
+}
+
+static double source(const struct problem *p, const double *x) {
+    return source_at(p, x, 0);
+}
+
+static double source_rate(const struct problem *p, const double *x) {
+    double at[DIM_MAX];
+    const struct faulty *f = faulty_at(p, x, at);
+    return f->factor * f->source * f->right->source_rate(f->right, at);
+}
+
+int faulty_make(const struct problem *p, struct fault fault, double size, struct faulty *f) {
+    if (!fault_applies(p, fault)) return 0;
+    *f = (struct faulty){.problem = *p, .right = p, .fault = fault, .size = size, .mean = MEAN_SERIES};
+    f->factor = f->source = 1;
+    f->corner = f->kept = -1;
+    for (int a = 0; a < DIM_MAX; a++) {
+        f->stretch[a] = 1, f->centre[a] = (p->lo[a] + p->hi[a]) / 2, f->from[a] = a;
+        f->problem.mirror[a] = 0;
+    }
+    for (int s = 0; s < SIDES; s++) f->wall[s] = 1;
+    fault_rows[fault.kind].change(f);
+    struct problem *q = &f->problem;
+    q->data = f;
+    q->initial = initial;
+    q->wall = wall;
+    q->wall_rate = p->wall_rate && !f->frozen ? wall_rate : NULL;
+    if (p->source || f->corner >= 0) q->source = source;
+    q->source_rate = p->source_rate && !f->source_frozen ? source_rate : NULL;
+    if (p->source_at) q->source_at = source_at;
+    return 1;
+}

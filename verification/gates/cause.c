@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One cause for all rows that do not hold: a fault that explains them and that no row which passes contradicts; else
+ * what they share. */
+#include "verification/gates/gates.h"
+
+#include "verification/fault/headline.h"
+#include "verification/judge/command.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Features of rows ---- */
+
+static int is_rod(const struct problem *p, double aspect) {
+    (void)aspect;
+    return p->dim == 1;
+}
+
+static int is_plane(const struct problem *p, double aspect) {
+    (void)aspect;
+    return p->dim == 2;
+}
+
+static int is_in_space(const struct problem *p, double aspect) {
+    (void)aspect;
+    return p->dim == 3;
+}
+
+static int has_law(const struct problem *p, double aspect) {
+    (void)aspect;
+    return p->k_law != K_CONSTANT;
+}
+
+static int has_two(const struct problem *p, double aspect) {
+    (void)aspect;
+    return p->materials == 2;
+}
+
+static int has_moving(const struct problem *p, double aspect) {
+    (void)aspect;
+    return p->wall_rate != NULL;
+}
+
+static int has_kind(const struct problem *p, enum side_kind kind) {
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (p->side[s] == kind) return 1;
+    return 0;
+}
+
+static int has_periodic(const struct problem *p, double aspect) {
+    (void)aspect;
+    return has_kind(p, PERIODIC);
+}
+
+static int has_robin(const struct problem *p, double aspect) {
+    (void)aspect;
+    return has_kind(p, ROBIN);
+}
+
+static int has_source(const struct problem *p, double aspect) {
+    (void)aspect;
+    return p->source || p->source_at;
+}
+
+static int is_oblong(const struct problem *p, double aspect) {
+    return p->dim > 1 && aspect > 0 && aspect != 1;
+}
+
+/* Classes of problems first: what a code has a branch for. */
+enum { CLASSES = 7, OBLONG = 9 };
+static const struct {
+    int (*has)(const struct problem *p, double aspect);
+    const char *in, *all; /* "in space"; "all rows that do not pass ..." */
+} features[] = {{is_rod, "on rods", "are rods"},
+                {is_plane, "in the plane", "are in the plane"},
+                {is_in_space, "in space", "are in space"},
+                {has_law, "for k(T)", "have k(T)"},
+                {has_two, "with two materials", "have a second material"},
+                {has_moving, "with walls that change", "have walls that change"},
+                {has_periodic, "with periodic sides", "have periodic sides"},
+                {has_robin, "", "have a Robin wall"},
+                {has_source, "", "have a source"},
+                {is_oblong, "", "have cells of two widths"}};
+enum { FEATURES = sizeof features / sizeof *features };
+
+struct row {
+    unsigned has; /* 1 << feature; 0: unknown */
+    int fails, passes;
+    const struct gate *gate;
+    double dt; /* s, of the finest rung; 0: unknown */
+};
+
+struct rows {
+    int n;
+    struct row *row;
+    unsigned shared; /* by all rows that fail */
+};
+
+static const char *const external[] = {"--solver", "{case} {out}", NULL}; /* METHOD is then a label */
+
+static unsigned features_of(const struct gate *gate) {
+    struct command r;
+    struct failure ignored;
+    unsigned has = 0;
+    if (!gate->command) return 0;
+    if (!command_read_with(gate->command, external, &r, &ignored))
+        for (int i = 0; i < FEATURES; i++)
+            if (features[i].has(&r.experiment.problem, r.experiment.options.aspect)) has |= 1u << i;
+    command_free(&r);
+    return has;
+}
+
+/* Rows that pass with that feature, or without it. */
+static int passing(const struct rows *rows, unsigned feature, int with) {
+    int n = 0;
+    for (int i = 0; i < rows->n; i++) n += rows->row[i].passes && !(rows->row[i].has & feature) == !with;
+    return n;
+}
+
+/* What sets the rows that fail apart from those that pass: fewest of the latter have it; -1: nothing. */
+static int telling(const struct rows *rows, int from, int to, int failing) {
+    int best = -1, fewest = failing + 1;
+    for (int i = from; i < to; i++) {
+        unsigned bit = 1u << i;
+        if (!(rows->shared & bit) || !passing(rows, bit, 0) || passing(rows, bit, 1) >= fewest) continue;
+        fewest = passing(rows, bit, 1), best = i;
+    }
+    return best;
+}
+
+/* ---- Rows that pass ---- */
+
+/* 1 where a row that passed could not have done so with the fault. */
+static int row_contradicts(const struct row *row, const struct diagnosis *fault) {
+    const struct gate *gate = row->gate;
+    struct command r;
+    struct failure ignored;
+    struct image image;
+    int against = 0;
+    const int is_order = strcmp(gate->measure, "order") == 0, is_error = strcmp(gate->measure, "error") == 0;
+    const double ceiling = is_error ? gate->hi : gate->ceiling;
+    if (!(is_order || is_error) || !(ceiling > 0)) return 0;
+    if (!command_read_with(gate->command, external, &r, &ignored)) {
+        const struct experiment *e = &r.experiment;
+        double finest = r.rungs.dx.count ? r.rungs.dx.value[0] : e->options.dx;
+        for (int i = 1; i < r.rungs.dx.count; i++) finest = fmin(finest, r.rungs.dx.value[i]);
+        mapping_image(&e->program.map, &e->problem, &image);
+        if (!e->derived && (e->problem.materials == 1 || image.interface_axis == 0))
+            against = headline_contradicts(fault, &image.problem, finest, row->dt, e->program.map.offset, ceiling);
+    }
+    command_free(&r);
+    return against;
+}
+
+static int contradict(const struct diagnosis *fault, const void *context) {
+    const struct rows *rows = context;
+    const unsigned class = rows->shared & ((1u << CLASSES) - 1);
+    int outside = 0;
+    for (int i = 0; i < rows->n; i++) {
+        const int is_outside = (rows->row[i].has & class) != class;
+        if (!rows->row[i].passes || (is_outside && outside) || !row_contradicts(&rows->row[i], fault)) continue;
+        if (!is_outside) return 1;
+        outside = 2;
+    }
+    return outside;
+}
+
+/* ---- Without a name ---- */
+
+/* The side next to which the errors of all rows are; -1: none. */
+static int common_side(const struct diagnosis *found, int failing) {
+    unsigned sides = ~0u;
+    int known = 0;
+    for (int i = 0; i < failing; i++)
+        if (found[i].evidence) sides &= found[i].beside, known++;
+    for (int s = 0; s < SIDES; s++)
+        if (known && sides & 1u << s) return s;
+    return -1;
+}
+
+static void print_shared(const struct rows *rows, const struct diagnosis *found, int failing, char *text,
+                         size_t size) {
+    static const char *const sides[] = {"x_lo", "x_hi", "y_lo", "y_hi", "z_lo", "z_hi"};
+    int side = common_side(found, failing), what = telling(rows, 0, FEATURES, failing);
+    *text = '\0';
+    if (side >= 0)
+        snprintf(text, size,
+                 "the errors of %d rows that do not pass are in the layer of cells beside side %s, along %c", failing,
+                 sides[side], "xyz"[side / 2]);
+    else if (what >= 0)
+        snprintf(text, size, "all %d rows that do not pass %s%s", failing, features[what].all,
+                 passing(rows, 1u << what, 1) ? "" : ", and no other row does");
+}
+
+/* What the headline leaves of a row. */
+static void print_left(const struct headline *h, struct measured *m) {
+    double share = headline_share(h, &m->found);
+    if (!isfinite(share) || !h->fault.named) return;
+    if (share > 0.995 && isnan(h->fault.share))
+        snprintf(m->diagnosis, sizeof m->diagnosis, "%s", h->fault.what);
+    else if (2 * share > 1)
+        snprintf(m->diagnosis, sizeof m->diagnosis, "%s%s (%.0f %% of the error)", h->is_firm ? "" : "perhaps ",
+                 h->fault.what, 100 * share);
+    else if (h->is_firm)
+        snprintf(m->diagnosis, sizeof m->diagnosis, "%.0f %% of the error are left %s", 100 * (1 - share),
+                 h->fault.what);
+}
+
+static int is_open(const struct measured *m) {
+    return m->verdict == VERDICT_FAIL || m->verdict == VERDICT_INCONCLUSIVE;
+}
+
+void gates_diagnose(struct gates *g) {
+    struct diagnosis *found = xcalloc((size_t)g->declared + 1, sizeof *found);
+    struct rows rows = {g->declared, xcalloc((size_t)g->declared + 1, sizeof *rows.row), ~0u};
+    int failing = 0;
+    for (int i = 0; i < g->declared; i++)
+        if (is_open(&g->result[i].measured)) found[failing++] = g->result[i].measured.found;
+    for (int i = 0; i < g->declared && failing; i++) {
+        struct row *row = &rows.row[i];
+        *row = (struct row){.has = features_of(&g->result[i].gate),
+                            .fails = is_open(&g->result[i].measured),
+                            .passes = gates_holds(&g->result[i]),
+                            .gate = &g->result[i].gate,
+                            .dt = g->result[i].measured.dt};
+        if (row->fails) rows.shared &= row->has;
+    }
+    *g->diagnosis = '\0';
+    if (failing) {
+        int class = telling(&rows, 0, CLASSES, g->declared);
+        struct headline h = headline_choose(found, failing, contradict, &rows);
+        if (rows.shared & 1u << OBLONG && passing(&rows, 1u << OBLONG, 1) == 0)
+            snprintf(g->diagnosis, sizeof g->diagnosis, "as if dx were taken for dy: no row of square cells fails");
+        else
+            headline_print(&h, class >= 0 ? features[class].in : "", g->diagnosis);
+        if (!*g->diagnosis) print_shared(&rows, found, failing, g->diagnosis, sizeof g->diagnosis);
+        for (int i = 0; i < g->declared; i++)
+            if (rows.row[i].fails) print_left(&h, &g->result[i].measured);
+    }
+    free(rows.row);
+    free(found);
+}
