@@ -35,7 +35,8 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
     if (b->method->scheme) printf(", %s kernel, h/dx = %g", kernel_words[b->options.kernel], b->options.h);
     if (b->options.layout != LAYOUT_LATTICE) printf(", %s", layout_words[b->options.layout]);
     if (b->options.jitter > 0) printf(" %g, seed %lu", b->options.jitter, b->options.seed);
-    if (b->dim > 1 && model_problem_kappa_y(b) < 1) printf(", kappa_y/kappa_x %g", model_problem_kappa_y(b));
+    if (b->dim > 1 && model_problem_kappa_y(b) < 1)
+        printf(", kappa_y/kappa_x %g%s", model_problem_kappa_y(b), b->dim == 3 ? ", kappa_z = kappa_x" : "");
     if (b->contact > 0) printf(", two materials 1 : %g", b->contact);
     if (b->options.walls != WALLS_MIRROR) printf(", walls %s", walls_words[b->options.walls]);
     printf(", %s: dt kappa/dx^2 up to\n", stepper_words[b->step.stepper]);

@@ -36,7 +36,7 @@ struct command {
     struct numbers origin;    /* dx: of the lattice of a round body */
     double ratio;             /* limit: kappa_y/kappa_x; 0: 1 */
     double contact;           /* limit: k and rho c of the second material over those of the first; 0: one material */
-    int dim, stages;          /* limit: 1 or 2; of rkl2, else 0 */
+    int dim, stages;          /* limit: 1 to 3; of a step, 0 if they are not chosen */
     const char *word[2];      /* the positionals as typed; NULL for none */
     unsigned long overridden; /* bits of the scene's parameters that were given */
     char *typed;              /* owned: the command, quoted for a shell */

@@ -2,6 +2,7 @@
 /* `limit` with every method, every stepper, and every value of each of its options: a number or a reason, whatever is
  * asked. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
+#include "solver/time/stepper.h"
 #include "solver/words.h"
 
 #include "verification/judge/command.h"
@@ -62,7 +63,7 @@ static void limits_exist_for_every_method_and_option(void **state) {
                 int limits = 0, first = k == 0; /* auto: the simplest stepper */
                 if (dim == 2 && !first) continue;
                 snprintf(command, sizeof command, "limit %s --dim %d --stepper %s%s", methods[m]->name, dim,
-                         stepper_words[k], strcmp(stepper_words[k], "rkl2") == 0 ? " --stages 5" : "");
+                         stepper_words[k], k && stepper_of((enum stepper_name)k)->count ? " --stages 5" : "");
                 for (const struct option *o = command_options; o->name; o++)
                     if (o->value && words_among(limit->options, o->name) && !words_among("stepper dim", o->name))
                         limits += try_option(command, o);

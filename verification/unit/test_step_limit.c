@@ -245,6 +245,26 @@ static void limits_of_wide_stencils(void **state) {
     assert_near(predicted(&b).von_neumann * radius / 2, 1, 1e-4);
 }
 
+/* The least limit of fo_ssph in space, 1.754191 at (1.232, 1.232, 0), is not next to the least value on the
+ * grid, 1.755 at another minimum. */
+static void the_least_of_several_minima_is_found(void **state) {
+    (void)state;
+    struct model_problem b = {.method = &method_fo_ssph, .dim = 3, .options = {.kernel = KERNEL_QUARTIC, .h = 1.1}};
+    struct symbol s;
+    struct failure why;
+    assert_int_equal(step_limit_model(&b, &why), STATUS_OK);
+    const struct step_limit l = predicted(&b);
+    assert_near(l.von_neumann, 1.754191, 1e-6);
+    assert_int_equal(symbol_create(&s, &b, &why), STATUS_OK);
+    double along[4][DIM_MAX] = {{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0.5, 0}}, least = INFINITY;
+    for (int k = 1; k < 4000; k++) {
+        const double t = M_PI * k / 1000 / 4, *d = along[k % 4];
+        least = fmin(least, 2 / cabs(symbol_at(&s, (const double[]){t * d[0], t * d[1], t * d[2]})));
+    }
+    symbol_free(&s);
+    assert_near(l.von_neumann / least, 1, 1e-5);
+}
+
 /* The moment matrix of a particle without neighbours is singular at any step. */
 static void failed_run_is_not_growth(void **state) {
     (void)state;
@@ -341,6 +361,7 @@ int main(void) {
         cmocka_unit_test(eigenvalues_equal_the_symbol),
         cmocka_unit_test(the_quartic_kernel_breaks_song_34),
         cmocka_unit_test(limits_of_wide_stencils),
+        cmocka_unit_test(the_least_of_several_minima_is_found),
         cmocka_unit_test(failed_run_is_not_growth),
         cmocka_unit_test(long_runs_conserve_heat),
         cmocka_unit_test(nearest_neighbour_contact_keeps_the_step_limit),
