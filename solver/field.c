@@ -44,14 +44,14 @@ size_t field_bytes(const struct field *f) {
 }
 
 double field_distance(const struct field *f, const double *T, const double *size) {
-    double apart = 0, whole = 0;
+    double difference = 0, whole = 0;
     for (size_t i = 0; i < f->n; i++) {
         double w = f->weight ? f->weight[i] : 1;
         if (size[i] == INFINITY) continue;
-        apart += w * fabs(f->T[i] - T[i]);
+        difference += w * fabs(f->T[i] - T[i]);
         whole += w * fabs(size[i]);
     }
-    return apart / whole;
+    return difference / whole;
 }
 
 double field_largest(const struct field *f) {
@@ -63,8 +63,8 @@ double field_largest(const struct field *f) {
 double field_farthest(const struct field *f, const double *T) {
     double most = 0;
     for (size_t i = 0; i < f->n; i++) {
-        double apart = fabs(f->T[i] - T[i]);
-        if (apart > most || isnan(apart)) most = apart; /* a NaN propagates */
+        double difference = fabs(f->T[i] - T[i]);
+        if (difference > most || isnan(difference)) most = difference; /* a NaN propagates */
     }
     return most;
 }

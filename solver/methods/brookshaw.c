@@ -47,7 +47,7 @@ static double volume(const struct problem *p, const struct options *o, double h,
 }
 
 /* Twice the conductivity between particle i at x and the point x + d, W m^-1 K^-1. */
-static double pair_conductivity(const struct problem *p, enum mean mean, double x, double d) {
+static double mean_conductivity(const struct problem *p, enum mean mean, double x, double d) {
     int here = layout_material(p, x), there = layout_material(p, x + d);
     double ki = p->material[here].k[0], kj = p->material[there].k[0];
     if (here == there) return 2 * ki;
@@ -66,7 +66,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
                       problem_place(nb->dim, nb->x, place));
     for (size_t j = 0; j < nb->n; j++) {
         double F = pair_weight(o->kernel, nb->dim, nb->h, neighbourhood_distance(nb, j));
-        double k = pair_conductivity(p, o->mean, nb->x[0], nb->d[j][0]);
+        double k = mean_conductivity(p, o->mean, nb->x[0], nb->d[j][0]);
         w[0][j] = nb->volume * k * F / nb->rho_c;
     }
     return STATUS_OK;

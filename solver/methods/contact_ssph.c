@@ -44,7 +44,7 @@ static int check(const struct problem *p, const struct options *o, struct failur
 
 /* Functions of a neighbour at d (m) in units of h, ordered as in ssph_weights.  Returns
  * their size relative to those monomials, at least 1. */
-static double functions(const struct problem *p, const struct neighbourhood *nb, const double *d, double *P) {
+static double contact_functions(const struct problem *p, const struct neighbourhood *nb, const double *d, double *P) {
     int here = layout_material(p, nb->x[0]), there = layout_material(p, nb->x[0] + d[0]);
     const struct material *m = &p->material[here], *other = &p->material[there];
     double x = d[0] / nb->h, X = (p->interface - nb->x[0]) / nb->h;
@@ -91,7 +91,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     for (size_t j = 0; j < nb->n && p->materials == 2; j++)
         crossed |= layout_material(p, nb->x[0]) != layout_material(p, nb->x[0] + nb->d[j][0]);
     if (!crossed) return ssph_weights(nb, o->kernel, 2, target, w[0], why);
-    for (size_t j = 0; j < nb->n; j++) size[j] = functions(p, nb, nb->d[j], P[j]);
+    for (size_t j = 0; j < nb->n; j++) size[j] = contact_functions(p, nb, nb->d[j], P[j]);
     for (int k = 0; k < SSPH_TERMS_MAX; k++) target[k] /= nb->h * nb->h;
     return across(o, nb, P, size, target, w[0], why);
 }

@@ -142,7 +142,7 @@ static double unmet(const struct programme *lp) {
 }
 
 /* The weights of the final basis, solved directly from the conditions. */
-static void take_weights(const struct programme *lp, double *w) {
+static void basis_weights(const struct programme *lp, double *w) {
     for (size_t j = 0; j < lp->n; j++) w[j] = 0;
     for (int k = 0; k < lp->rows; k++) {
         double value = 0;
@@ -167,7 +167,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     if (minimise(&lp, 2))
         return refuse(why, STATUS_NUMERICAL, "particle %zu at %s: its linear programme does not end", nb->i,
                       problem_place(nb->dim, nb->x, place));
-    take_weights(&lp, w[0]);
+    basis_weights(&lp, w[0]);
     return STATUS_OK;
 }
 

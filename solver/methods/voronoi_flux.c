@@ -53,7 +53,7 @@ static int check(const struct problem *p, const struct options *o, struct failur
 
 /* With a particle in each dx x dx square, a cell ends within the diagonal of one such square in the metric, and
  * nothing beyond twice that cuts it. 2 h is this distance plus 6 %. */
-static double search(const struct problem *p) {
+static double cell_search_h(const struct problem *p) {
     double ratio = p->dim == 2 ? p->material[0].k[1] / p->material[0].k[0] : 1;
     return 1.06 * sqrt(1 + fmax(ratio, 1 / ratio));
 }
@@ -101,7 +101,7 @@ static const struct scheme scheme = {.name = "voronoi_flux",
                                      .two_materials = 1,
                                      .sweeps = 1,
                                      .cells = 1,
-                                     .h = search,
+                                     .h = cell_search_h,
                                      .check = check,
                                      .weights = weights};
 

@@ -52,7 +52,7 @@ static double invert(int n, double given[CORRECTION_TERMS][CORRECTION_TERMS],
     return one_norm(n, given) * one_norm(n, inverse);
 }
 
-static int singular(const struct neighbourhood *nb, const char *what, double condition, struct failure *why) {
+static int singular_matrix(const struct neighbourhood *nb, const char *what, double condition, struct failure *why) {
     char number[40] = "infinite", place[PLACE_TEXT];
     if (condition < 1e17) snprintf(number, sizeof number, "%.1e", condition);
     return refuse(why, STATUS_NUMERICAL,
@@ -61,9 +61,9 @@ static int singular(const struct neighbourhood *nb, const char *what, double con
                   what, nb->i, problem_place(nb->dim, nb->x, place), nb->n, number, CORRECTION_CONDITION_MAX);
 }
 
-static inline __attribute__((always_inline)) void sums(const struct neighbourhood *nb, int dim,
-                                                       enum kernel_name kernel, struct correction *c,
-                                                       double G[][CORRECTION_TERMS]) {
+static inline __attribute__((always_inline)) void kernel_sums(const struct neighbourhood *nb, int dim,
+                                                              enum kernel_name kernel, struct correction *c,
+                                                              double G[][CORRECTION_TERMS]) {
     double unit = 1;
     for (int a = 0; a < dim; a++) unit *= nb->h;
     for (size_t j = 0; j < nb->n; j++) {
@@ -82,12 +82,12 @@ int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, s
                       struct failure *why) {
     double G[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}}, inverse[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}};
     c->n = nb->n;
-    if (nb->dim == 1) sums(nb, 1, kernel, c, G);
-    if (nb->dim == 2) sums(nb, 2, kernel, c, G);
-    if (nb->dim == 3) sums(nb, 3, kernel, c, G);
+    if (nb->dim == 1) kernel_sums(nb, 1, kernel, c, G);
+    if (nb->dim == 2) kernel_sums(nb, 2, kernel, c, G);
+    if (nb->dim == 3) kernel_sums(nb, 3, kernel, c, G);
     double condition = invert(nb->dim, G, inverse);
     if (!(condition <= CORRECTION_CONDITION_MAX))
-        return singular(nb, "matrix of the kernel's gradients", condition, why);
+        return singular_matrix(nb, "matrix of the kernel's gradients", condition, why);
     for (int a = 0; a < DIM_MAX; a++)
         for (int b = 0; b < DIM_MAX; b++) c->inverse[a][b] = inverse[a][b];
     return STATUS_OK;
@@ -100,7 +100,7 @@ int correction_spans(const struct neighbourhood *nb, const double *F, struct fai
             for (int b = 0; b < nb->dim; b++) G[a][b] += F[j] * nb->d[j][a] * nb->d[j][b];
     double condition = invert(nb->dim, G, inverse);
     if (condition <= CORRECTION_CONDITION_MAX) return STATUS_OK;
-    return singular(nb, "matrix of the kernel's gradients", condition, why);
+    return singular_matrix(nb, "matrix of the kernel's gradients", condition, why);
 }
 
 int correction_target(const struct neighbourhood *nb, double target[CORRECTION_TERMS]) {
@@ -115,7 +115,7 @@ int correction_solve(const struct neighbourhood *nb, const char *what, int terms
                      struct failure *why) {
     double inverse[CORRECTION_TERMS][CORRECTION_TERMS];
     double condition = invert(terms, K, inverse);
-    if (!(condition <= CORRECTION_CONDITION_MAX)) return singular(nb, what, condition, why);
+    if (!(condition <= CORRECTION_CONDITION_MAX)) return singular_matrix(nb, what, condition, why);
     for (int m = 0; m < terms; m++) {
         z[m] = 0;
         for (int n = 0; n < terms; n++) z[m] += inverse[n][m] * target[n];

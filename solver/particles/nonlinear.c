@@ -114,7 +114,7 @@ static double bend(const struct problem *p, int side, const double *foot, double
     return d * d * across - along;
 }
 
-static double reflect(struct conduction *c, int side, const double *foot, double d, double theta, double t) {
+static double reflect_theta(struct conduction *c, int side, const double *foot, double d, double theta, double t) {
     const struct problem *p = c->p;
     double value = p->wall(p, (enum side)side, foot, t);
     if (problem_law(p, side)->is_flux) {
@@ -140,7 +140,7 @@ static double ghost_theta(struct conduction *c, size_t j, double t) {
         double wall = ghost[a] > p->hi[a] ? p->hi[a] : p->lo[a];
         if ((ghost[a] >= p->lo[a] && ghost[a] <= p->hi[a]) || p->side[side] == PERIODIC) continue;
         at[a] = wall;
-        theta = reflect(c, side, at, fabs(ghost[a] - wall), theta, t);
+        theta = reflect_theta(c, side, at, fabs(ghost[a] - wall), theta, t);
         at[a] = ghost[a];
     }
     return theta;
@@ -148,8 +148,8 @@ static double ghost_theta(struct conduction *c, size_t j, double t) {
 
 /* ---- Rows ---- */
 
-static int add_row(struct conduction *c, const struct assembly *m, size_t i, struct surroundings *at,
-                   struct failure *why) {
+static int conduction_row(struct conduction *c, const struct assembly *m, size_t i, struct surroundings *at,
+                          struct failure *why) {
     double weight[2][NEIGHBOURS_MAX], *w[DIM_MAX] = {weight[0], weight[1]}, sum = 0;
     if (assembly_neighbourhood(m, i, at, why) || operator_weights(m->s, m->p, m->o, &at->nb, w, why))
         return why->status;
@@ -167,12 +167,12 @@ static int add_row(struct conduction *c, const struct assembly *m, size_t i, str
 }
 
 /* Rows of the particles; for TWICE also of the ghosts next to them. */
-static int add_rows(struct conduction *c, const struct assembly *m, struct failure *why) {
+static int conduction_rows(struct conduction *c, const struct assembly *m, struct failure *why) {
     struct surroundings *at = xcalloc(1, sizeof *at);
     unsigned char *wanted = xcalloc(c->cloud.total, 1);
     int status = STATUS_OK;
     for (size_t i = 0; i < c->cloud.total && !status; i++) {
-        if (i < c->cloud.n || wanted[i]) status = add_row(c, m, i, at, why);
+        if (i < c->cloud.n || wanted[i]) status = conduction_row(c, m, i, at, why);
         c->row[i + 1] = c->list.n;
         for (size_t k = c->row[i]; k < c->row[i + 1] && i < c->cloud.n && c->operation == TWICE; k++)
             wanted[c->list.point[k]] = 1;
@@ -197,7 +197,7 @@ static int conduction_create(struct conduction **out, const struct problem *p, c
     for (size_t k = 0; k < (c->operation == TWICE ? 5 : 3); k++) *array[k] = xcalloc(total, sizeof(double));
     if (c->operation == TWICE && p->dim == 2) c->across = xcalloc(1, sizeof(double));
     if (assembly_create(&m, &c->unit, o, s, &c->cloud, l->dx[0], why)) return why->status;
-    int status = add_rows(c, &m, why);
+    int status = conduction_rows(c, &m, why);
     assembly_free(&m);
     return status;
 }
@@ -240,9 +240,9 @@ static void set_flux(struct conduction *c) {
     for (size_t i = 0; i < c->cloud.total; i++) {
         double sum[2] = {0, 0};
         for (size_t k = c->row[i]; k < c->row[i + 1]; k++) {
-            double apart = c->T[c->list.point[k]] - c->T[i];
-            sum[0] += c->list.value[k] * apart;
-            if (c->across) sum[1] += c->across[k] * apart;
+            double difference = c->T[c->list.point[k]] - c->T[i];
+            sum[0] += c->list.value[k] * difference;
+            if (c->across) sum[1] += c->across[k] * difference;
         }
         for (int a = 0; a < 2; a++) c->q[a][i] = c->k[i] * sum[a];
     }
@@ -311,7 +311,7 @@ static void apply(struct run *r, const double *T, double t, double *out) {
 }
 
 /* A step of s stages, from L_0 in state[2]. */
-static void step(struct run *r, int s) {
+static void advance_step(struct run *r, int s) {
     double *newer = r->state[0], *older = r->state[1];
     const double *L0 = r->state[2], *L = r->state[3];
     struct stage g = r->stepper->stage(s, 1);
@@ -355,7 +355,7 @@ static double next_step(const struct run *r, double bound) {
     return left / fmax(1, ceil(left / dt - 1e-9));
 }
 
-static int march(struct run *r, const double data[2], struct failure *why) {
+static int run_steps(struct run *r, const double data[2], struct failure *why) {
     enum { STEPS_MAX = 100000000 };
     while (r->t < r->p->t_end) {
         apply(r, r->T, r->t, r->state[2]);
@@ -367,7 +367,7 @@ static int march(struct run *r, const double data[2], struct failure *why) {
                           "unstable: at step %lld (t = %.6g s) k(T) would need steps of %.3g s with %d stages",
                           r->steps, r->t, r->dt, s);
         r->stages = s > r->stages ? s : r->stages;
-        step(r, s);
+        advance_step(r, s);
         double left = r->p->t_end - r->t;
         r->t = left - r->dt <= 1e-9 * r->dt ? r->p->t_end : r->t + r->dt;
         r->steps++;
@@ -392,7 +392,7 @@ static void set_counts(const struct run *r, const struct lattice *l, struct fiel
     for (int a = l->dim; a < DIM_MAX && f->shape[0]; a++) f->shape[a] = 1;
 }
 
-static double heat(const struct problem *p, const struct field *f, double volume) {
+static double total_heat(const struct problem *p, const struct field *f, double volume) {
     double sum = 0;
     for (size_t i = 0; i < f->n; i++) sum += f->T[i];
     return p->material[0].rho_c * volume * sum;
@@ -430,11 +430,11 @@ int nonlinear_solve(const struct method *m, const struct problem *p, const struc
         set_start(p, &o, &l, conduction_cloud(c), &f);
         struct run r = {.c = c, .p = p, .o = &o, .stepper = stepper_of(o.stepper), .n = f.n, .T = f.T};
         for (int k = 0; k < 4; k++) r.state[k] = xcalloc(f.n, sizeof(double));
-        f.heat[0] = heat(p, &f, layout_volume(&l));
+        f.heat[0] = total_heat(p, &f, layout_volume(&l));
         double loop = field_clock();
-        status = march(&r, f.range, why);
+        status = run_steps(&r, f.range, why);
         f.cost.step_seconds = field_clock() - loop;
-        f.heat[1] = heat(p, &f, layout_volume(&l));
+        f.heat[1] = total_heat(p, &f, layout_volume(&l));
         f.time = p->t_end;
         set_counts(&r, &l, &f);
         for (int k = 0; k < 4; k++) free(r.state[k]);

@@ -63,14 +63,14 @@ static void newton(const struct dual *d, const double *z, const double *gradient
     }
 }
 
-static double largest(const double *v, int m) {
+static double largest_entry(const double *v, int m) {
     double most = 0;
     for (int k = 0; k < m; k++) most = fmax(most, fabs(v[k]));
     return most;
 }
 
 /* sum_j w_j P_j - b */
-static void residual(const struct dual *d, const double *w, double *off) {
+static void excess(const struct dual *d, const double *w, double *off) {
     for (int k = 0; k < d->terms; k++) off[k] = -d->b[k];
     for (size_t j = 0; j < d->n; j++)
         for (int k = 0; k < d->terms; k++) off[k] += w[j] * d->P[j][k];
@@ -81,7 +81,7 @@ static void refine(const struct dual *d, const double *z, double *w) {
     enum { TIMES = 2 };
     double off[FIT_TERMS_MAX], step[FIT_TERMS_MAX];
     for (int again = 0; again < TIMES; again++) {
-        residual(d, w, off);
+        excess(d, w, off);
         newton(d, z, off, step);
         for (size_t j = 0; j < d->n; j++)
             if (w[j] > 0) w[j] = fmax(0, w[j] + d->W[j] * along(d, j, step));
@@ -90,7 +90,7 @@ static void refine(const struct dual *d, const double *z, double *w) {
 
 /* One step of the minimisation from *z, with f and its gradient there; halves the step until f decreases
  * (Armijo). */
-static double descend(const struct dual *d, double f, double *z, double *gradient, double enough) {
+static double line_search(const struct dual *d, double f, double *z, double *gradient, double enough) {
     enum { HALVINGS = 40 };
     double step[FIT_TERMS_MAX], next[FIT_TERMS_MAX], slope = 0, t = 1;
     newton(d, z, gradient, step);
@@ -98,7 +98,7 @@ static double descend(const struct dual *d, double f, double *z, double *gradien
     for (int half = 0; half < HALVINGS; half++, t /= 2) {
         for (int k = 0; k < d->terms; k++) next[k] = z[k] + t * step[k];
         double at = value(d, next, gradient);
-        if (half == HALVINGS - 1 || at <= f + 1e-4 * t * slope || largest(gradient, d->terms) <= enough) {
+        if (half == HALVINGS - 1 || at <= f + 1e-4 * t * slope || largest_entry(gradient, d->terms) <= enough) {
             f = at;
             break;
         }
@@ -111,10 +111,11 @@ int nonnegative_weights(size_t n, int terms, double P[][FIT_TERMS_MAX], const do
     enum { STEPS = 100 };
     const struct dual d = {n, terms, P, W, b};
     double z[FIT_TERMS_MAX] = {0}, gradient[FIT_TERMS_MAX], f = value(&d, z, gradient);
-    double enough = 1e-9 * largest(b, terms);
-    for (int i = 0; i < STEPS && largest(gradient, terms) > enough; i++) f = descend(&d, f, z, gradient, enough);
+    double enough = 1e-9 * largest_entry(b, terms);
+    for (int i = 0; i < STEPS && largest_entry(gradient, terms) > enough; i++)
+        f = line_search(&d, f, z, gradient, enough);
     for (size_t j = 0; j < n; j++) w[j] = W[j] > 0 ? W[j] * fmax(0, along(&d, j, z)) : 0;
     refine(&d, z, w);
-    residual(&d, w, gradient);
-    return largest(gradient, terms) <= 1e-3 * enough;
+    excess(&d, w, gradient);
+    return largest_entry(gradient, terms) <= 1e-3 * enough;
 }

@@ -69,9 +69,8 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
 }
 
 /* Sets positions, operator and shape of the field. */
-static int place_particles(const struct problem *p, const struct options *o, const struct scheme *s,
-                           const struct lattice *l, int rows, struct heat_operator *a, struct field *f,
-                           struct failure *why) {
+static int lay_out(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                   int rows, struct heat_operator *a, struct field *f, struct failure *why) {
     if (rows) {
         if (place_cloud(p, o, s, l, a, f, why)) return why->status;
         int ordered = p->dim == 1 && !options_is_cloud(o); /* else by cells */
@@ -156,8 +155,8 @@ static double set_up_work(const struct options *o, const struct lattice *l, cons
 }
 
 /* Sets points, h, steps, updates, interactions and work of that march in *f. */
-static void count(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
-                  const struct heat_operator *a, const struct march *m, struct field *f) {
+static void set_cost(const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct lattice *l, const struct heat_operator *a, const struct march *m, struct field *f) {
     const long long applications = m->steps ? stepper_applications(m) : 1;
     f->dim = l->dim, f->n = a->n, f->h = o->h;
     f->steps = m->steps, f->stages = m->stages, f->dt = m->steps ? m->time / (double)m->steps : 0;
@@ -231,7 +230,7 @@ static int integrate(const struct problem *p, const struct options *o, const str
     struct march m;
     double bound = operator_bound(a);
     if (march_of(p, o, s, l, a, bound, &m, why)) return why->status;
-    count(p, o, s, l, a, &m, f);
+    set_cost(p, o, s, l, a, &m, f);
     const struct stepper *stepper = stepper_of(o->stepper);
     if (stepper->evolve) {
         stepper->evolve(a, p->t_end, f->T);
@@ -260,7 +259,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
 
     struct field f = {0};
     struct heat_operator a = {0};
-    int status = place_particles(p, &o, m->scheme, &l, rows, &a, &f, why);
+    int status = lay_out(p, &o, m->scheme, &l, rows, &a, &f, why);
     f.time = p->t_end;
     if (!status) status = start_set(p, &o, m->scheme, &l, rows, &a, &f, why);
     if (!status) {

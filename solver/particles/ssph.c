@@ -58,7 +58,8 @@ INLINE void assemble_terms(const struct neighbourhood *nb, enum kernel_name kern
 }
 
 /* M (terms x terms) and W_j; the usual loop lengths are unrolled. */
-static void assemble(const struct neighbourhood *nb, enum kernel_name kernel, int order, double *matrix, double *W) {
+static void assemble_moments(const struct neighbourhood *nb, enum kernel_name kernel, int order, double *matrix,
+                             double *W) {
     if (nb->dim == 2 && order == 2)
         assemble_terms(nb, kernel, 2, 2, matrix, W);
     else if (nb->dim == 3 && order == 2)
@@ -144,7 +145,7 @@ static void solve(int terms, const double *L, double *z) {
 
 double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order) {
     double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX], W[NEIGHBOURS_MAX];
-    assemble(nb, kernel, order, matrix, W);
+    assemble_moments(nb, kernel, order, matrix, W);
     return factor(terms_of(nb->dim, order), matrix);
 }
 
@@ -171,7 +172,7 @@ int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int or
                  struct failure *why) {
     int terms = terms_of(nb->dim, order);
     double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX], z[SSPH_TERMS_MAX];
-    assemble(nb, kernel, order, matrix, w);
+    assemble_moments(nb, kernel, order, matrix, w);
     double condition = factor(terms, matrix);
     if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, w, why);
     for (int k = 0; k < terms; k++) z[k] = target[k] / (nb->h * nb->h);

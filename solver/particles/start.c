@@ -27,18 +27,18 @@
 
 /* ---- The heat of a jump at a contact ---- */
 
-static size_t band_of(const struct heat_operator *a) {
+static size_t bandwidth(const struct heat_operator *a) {
     size_t band = 0;
     for (size_t i = 0; i < a->n; i++)
         for (size_t k = a->row[i]; k < a->row[i + 1]; k++) {
-            size_t j = a->column[k], apart = j > i ? j - i : i - j;
-            if (apart > band) band = apart;
+            size_t j = a->column[k], distance = j > i ? j - i : i - j;
+            if (distance > band) band = distance;
         }
     return band;
 }
 
 int start_kept(const struct heat_operator *a, double all, double *l, struct failure *why) {
-    size_t n = a->n, band = band_of(a), width = 2 * band + 1;
+    size_t n = a->n, band = bandwidth(a), width = 2 * band + 1;
     double *rate = xcalloc(n * width, sizeof *rate), sum = 0;
     for (size_t i = 0; i < n; i++)
         for (size_t k = a->row[i]; k < a->row[i + 1]; k++) rate[i * width + a->column[k] + band - i] = a->value[k];
@@ -94,8 +94,8 @@ int start_is_kept(const struct problem *p, const struct options *o, const struct
 
 static int keep_heat(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
                      struct failure *why) {
-    double apart = 1e-10 * (p->hi[0] - p->lo[0]), low[2] = {p->interface - apart, 0},
-           high[2] = {p->interface + apart, 0};
+    double beside = 1e-10 * (p->hi[0] - p->lo[0]), low[2] = {p->interface - beside, 0},
+           high[2] = {p->interface + beside, 0};
     double jump = p->initial(p, high) - p->initial(p, low);
     struct heat_operator a;
     if (jump == 0) return STATUS_OK;
@@ -104,14 +104,14 @@ static int keep_heat(const struct problem *p, const struct options *o, const str
     double side[2] = {p->material[0].rho_c * (p->interface - p->lo[0]),
                       p->material[1].rho_c * (p->hi[0] - p->interface)};
     int status = start_kept(&a, side[0] + side[1], l, why);
-    double more = -side[1], near = 0; /* excess heat capacity of the second side; sum of l near the contact */
+    double excess = -side[1], near = 0; /* excess heat capacity of the second side; sum of l near the contact */
     for (size_t i = 0; i < f->n; i++) {
-        if (layout_material(p, f->x[0][i]) == 1) more += l[i];
+        if (layout_material(p, f->x[0][i]) == 1) excess += l[i];
         if (fabs(f->x[0][i] - p->interface) < support) near += l[i];
     }
     for (size_t i = 0; i < f->n && !status; i++) {
         double x[2] = {f->x[0][i], 0};
-        if (fabs(x[0] - p->interface) < support) f->T[i] = p->initial(p, x) - jump * more / near;
+        if (fabs(x[0] - p->interface) < support) f->T[i] = p->initial(p, x) - jump * excess / near;
     }
     free(l);
     operator_free(&a);
@@ -121,7 +121,7 @@ static int keep_heat(const struct problem *p, const struct options *o, const str
 /* ---- All data ---- */
 
 /* Min and max of T.  Eight independent accumulators hide the latency. */
-static void find_range(const struct field *f, double range[2]) {
+static void set_range(const struct field *f, double range[2]) {
     enum { APART = 8 };
     double lo[APART], hi[APART];
     for (size_t k = 0; k < APART; k++) lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
@@ -177,7 +177,7 @@ int start_set(const struct problem *p, const struct options *o, const struct sch
         double x[DIM_MAX];
         f->T[i] = start_at(p, o, l, field_place(f, i, x));
     }
-    find_range(f, f->range);
+    set_range(f, f->range);
     if (start_is_kept(p, o, s) && keep_heat(p, o, s, f, why)) return why->status;
     return check_start(f, why);
 }

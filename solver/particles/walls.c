@@ -6,17 +6,24 @@
  * Use `fit` (derived below).  The others are published ones of lower order, for the study of walls:
  *
  * fixed     T_d = T_w (Pamplona 2019, Fig. 3).  The effective wall is at the dummies, up to dx from its true
- * position: first order. distance  Morris, Fox & Zhu 1997, J. Comput. Phys. 136:214, for each pair of a particle i
- * and a dummy d: T_d = T_w - (d_d/d_i) (T_i - T_w),   1 + d_d/d_i at most 1.5. Exact for linear T across the wall
- * unless the bound is active.  It is for most pairs, d_d > d_i/2, which weakens the wall by a fraction independent of
- * dx. average   Adami, Hu & Adams 2012, J. Comput. Phys. 231:7057, with the Shepard mean <.> at the dummy: given T_w
- * T_d = 2 T_w - <T>,   given q  T_d = <T> + (d_d + <d>) q/k. The particles near a dummy have other distances from the
- * wall.  If T_w is given the error of T_d is (d_d - <d>) dT/dn = O(dx), which costs an order; a flux has the right
- * slope and an error of O(dx^2). image     Marrone et al. 2011, Comput. Methods Appl. Mech. Engrg. 200:1526, with T_m
- * at the mirror point by linear moving least squares: given T_w  T_d = 2 T_w - T_m,   given q  T_d = T_m + 2 d q/k,
+ *           position: first order.
+ *
+ * distance  Morris, Fox & Zhu 1997, J. Comput. Phys. 136:214, for each pair of a particle i and a dummy d:
+ *           T_d = T_w - (d_d/d_i) (T_i - T_w),   1 + d_d/d_i at most 1.5.
+ *           Exact for linear T across the wall unless the bound is active.  It is for most pairs, d_d > d_i/2,
+ *           which weakens the wall by a fraction independent of dx.
+ *
+ * average   Adami, Hu & Adams 2012, J. Comput. Phys. 231:7057, with the Shepard mean <.> at the dummy:
+ *           given T_w  T_d = 2 T_w - <T>,   given q  T_d = <T> + (d_d + <d>) q/k.
+ *           The particles near a dummy have other distances from the wall.  If T_w is given the error of T_d is
+ *           (d_d - <d>) dT/dn = O(dx), which costs an order; a flux has the right slope and an error of O(dx^2).
+ *
+ * image     Marrone et al. 2011, Comput. Methods Appl. Mech. Engrg. 200:1526, with T_m at the mirror point by
+ *           linear moving least squares:
+ *           given T_w  T_d = 2 T_w - T_m,   given q  T_d = T_m + 2 d q/k,
  *           exchange   T_d = f T_m + (1 - f) T_a,   f = (k - b d)/(k + b d), as for images of particles.
- *           At a corner one reflection follows the other.  The error of T_m is O(dx^2), and so is that of mirroring
- * at a curved wall. */
+ *           At a corner one reflection follows the other.  The error of T_m is O(dx^2), and so is that of
+ *           mirroring at a curved wall. */
 #include "solver/particles/walls.h"
 
 #include "solver/particles/ssph.h"
@@ -195,7 +202,7 @@ struct shepard {
     double depth; /* m, <d> */
 };
 
-static int average(const struct walls_fill *w, const struct wall_near *near, void *with, struct failure *why) {
+static int shepard_mean(const struct walls_fill *w, const struct wall_near *near, void *with, struct failure *why) {
     struct shepard *m = with;
     double sum = 0;
     (void)why;
@@ -222,7 +229,7 @@ static int fill_average(const struct walls_fill *w, size_t d, const struct wall_
     for (int k = 1; k < site->walls; k++)
         if (site->away[k] > site->away[n]) n = k;
     struct shepard m = {out, 0};
-    if (search_near(w, d, 1, average, &m, why)) return why->status;
+    if (search_near(w, d, 1, shepard_mean, &m, why)) return why->status;
     if (problem_law(w->p, (int)site->side[n])->is_flux) {
         out->offset = (site->away[n] + m.depth) * site->value[n] / site->k[n];
         return STATUS_OK;
@@ -344,7 +351,7 @@ static struct bound bind_wall(const struct problem *p, const struct wall_site *s
 }
 
 /* The known part at d (m from the foot), K, and the free functions there; returns their number. */
-static int functions(const struct bound *b, const double *d, double h, double *known, double *P) {
+static int quadratic_functions(const struct bound *b, const double *d, double h, double *known, double *P) {
     double x[DIM_MAX] = {0}, with_c = 1;
     int n = 0;
     for (int a = 0; a < b->dim; a++) x[a] = (d[0] * b->axis[a][0] + d[1] * b->axis[a][1] + d[2] * b->axis[a][2]) / h;
@@ -402,8 +409,8 @@ static int fit_quadratic(const struct walls_fill *w, const struct wall_near *nea
     nb.n += wall_data(w->p, f->site, h, d + nb.n, given);
     nb.d = d;
     for (int a = 0; a < DIM_MAX; a++) away[a] = f->site->x[a] - f->site->foot[a];
-    int terms = functions(&b, away, h, &f->out->offset, target);
-    for (size_t j = 0; j < nb.n; j++) functions(&b, d[j], h, &known[j], P[j]);
+    int terms = quadratic_functions(&b, away, h, &f->out->offset, target);
+    for (size_t j = 0; j < nb.n; j++) quadratic_functions(&b, d[j], h, &known[j], P[j]);
     if (ssph_fit(&nb, w->o->kernel, terms, P, NULL, target, share, why)) return why->status;
     f->out->n = near->nb.n;
     for (size_t j = 0; j < nb.n; j++) {
@@ -446,10 +453,10 @@ int walls_support(enum walls walls, const struct wall_law *law) {
 static void append_sum(struct cloud *c, size_t d, const struct wall_sum *sum, size_t *room) {
     size_t used = c->begin[d];
     while (used + sum->n > *room) {
-        size_t more = *room ? 2 * *room : 1024;
-        c->from = xgrow(c->from, *room, more, sizeof *c->from);
-        c->share = xgrow(c->share, *room, more, sizeof *c->share);
-        *room = more;
+        size_t larger = *room ? 2 * *room : 1024;
+        c->from = xgrow(c->from, *room, larger, sizeof *c->from);
+        c->share = xgrow(c->share, *room, larger, sizeof *c->share);
+        *room = larger;
     }
     for (size_t k = 0; k < sum->n; k++) c->from[used + k] = sum->from[k], c->share[used + k] = sum->share[k];
     c->begin[d + 1] = used + sum->n;

@@ -39,7 +39,7 @@ static const double WALL_WEIGHT = 10;
 
 /* 1, x, y, x^2/2, x y, y^2/2 at d in units of h (1, x, x^2/2 on a rod; in space with z, x z, y z, z^2/2); returns
  * their number. */
-static int monomials(int dim, const double *d, double *P) {
+static int quadratic_monomials(int dim, const double *d, double *P) {
     int n = 0;
     P[n++] = 1;
     for (int a = 0; a < dim; a++) P[n++] = d[a];
@@ -61,7 +61,7 @@ static double equation(const struct problem *p, int s, const struct foot *f, con
     double d[DIM_MAX];
     for (int a = 0; a < DIM_MAX; a++) d[a] = (f->x[a] - x[a]) / h;
     double value = p->wall(p, (enum side)s, f->x, 0), k = p->material[0].k[walls_axis(f->normal)];
-    int terms = monomials(p->dim, d, P);
+    int terms = quadratic_monomials(p->dim, d, P);
     if (p->side[s] == DIRICHLET) return value;
     double ratio = problem_transfer(p, s) * h / k, size = 1 / (1 + ratio);
     for (int t = 0; t < terms; t++) P[t] *= ratio;
@@ -88,7 +88,7 @@ static size_t collect_equations(const struct problem *p, const struct neighbourh
         if (j < nb->n && neighbourhood_distance(nb, j) >= KERNEL_SUPPORT * h * (1 - 1e-9)) continue;
         for (int a = 0; a < DIM_MAX; a++) e->d[n][a] = j < nb->n ? nb->d[j][a] : 0, s[a] = e->d[n][a] / h;
         e->from[n] = j, e->size[n] = 1;
-        monomials(nb->dim, s, e->P[n++]);
+        quadratic_monomials(nb->dim, s, e->P[n++]);
     }
     particles = n;
     for (int s = 0; s < SIDES; s++) {

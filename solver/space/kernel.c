@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Smoothing kernels.
  *
- * cubic     w = a (2/3 - s^2 + s^3/2) for s < 1, a (2 - s)^3 / 6 for s < 2   (Monaghan & Lattanzio 1985) quartic
- * w = a (2/3 - 9/8 s^2 + 19/24 s^3 - 5/32 s^4)                     (Liu & Liu 2003) wendland  w = a (1 - s/2)^4
- * (1 + 2 s), in 1D a (1 - s/2)^3 (1 + 3 s/2)     (Wendland 1995, C2)
+ * cubic     w = a (2/3 - s^2 + s^3/2) for s < 1, a (2 - s)^3 / 6 for s < 2   (Monaghan & Lattanzio 1985)
+ *
+ * quartic   w = a (2/3 - 9/8 s^2 + 19/24 s^3 - 5/32 s^4)   (Liu & Liu 2003)
+ *
+ * wendland  w = a (1 - s/2)^4 (1 + 2 s), in 1D a (1 - s/2)^3 (1 + 3 s/2)   (Wendland 1995, C2)
  *
  * Pamplona eq. 9 prints the quartic with plus signs throughout, which is neither normalised nor decreasing.  The
  * intended kernel is slightly negative near s = 2 and not monotone there: w'(s) = -s (9/4 - 19/8 s + 5/8 s^2) a

@@ -26,7 +26,7 @@
 /* ---- Blocks of lattice points, and their displacements ---- */
 
 /* Advances an index by `step`, x fastest; 0 at the end. */
-static int advance(int at[DIM_MAX], const int from[DIM_MAX], const int to[DIM_MAX], const int step[DIM_MAX]) {
+static int next_index(int at[DIM_MAX], const int from[DIM_MAX], const int to[DIM_MAX], const int step[DIM_MAX]) {
     for (int a = 0; a < DIM_MAX; a++) {
         at[a] += step[a];
         if (at[a] < to[a]) return 1;
@@ -46,8 +46,8 @@ static void in_blocks(const int from[DIM_MAX], const int to[DIM_MAX], const int 
         for (int a = 0; a < DIM_MAX; a++) end[a] = block[a] + side[a] < to[a] ? block[a] + side[a] : to[a];
         memcpy(at, block, sizeof at);
         do visit(context, at);
-        while (advance(at, block, end, one));
-    } while (advance(block, from, to, side));
+        while (next_index(at, block, end, one));
+    } while (next_index(block, from, to, side));
 }
 
 /* Displacements of the points with from <= index < to, in widths of the jitter, -1/2 to 1/2. */
@@ -257,13 +257,13 @@ static void locate(const struct frame *f, const int index[DIM_MAX], double at[DI
     x[2] = at[2];
 }
 
-struct list { /* points, DIM_MAX coordinates each, and the cells of particles */
+struct point_list { /* points, DIM_MAX coordinates each, and the cells of particles */
     size_t n, room;
     double *x, *cell;
     unsigned char *held;
 };
 
-static void list_add(struct list *l, const double x[DIM_MAX], double cell, int held) {
+static void points_add(struct point_list *l, const double x[DIM_MAX], double cell, int held) {
     if (l->n == l->room) {
         size_t room = l->room ? 2 * l->room : 256;
         l->x = xgrow(l->x, DIM_MAX * l->n, DIM_MAX * room, sizeof *l->x);
@@ -275,7 +275,7 @@ static void list_add(struct list *l, const double x[DIM_MAX], double cell, int h
     l->cell[l->n] = cell, l->held[l->n++] = (unsigned char)held;
 }
 
-static void list_free(struct list *l) {
+static void points_free(struct point_list *l) {
     free(l->x);
     free(l->cell);
     free(l->held);
@@ -293,7 +293,7 @@ struct points {
     const struct problem *p;
     struct frame f;
     double reach; /* m */
-    struct list inside, outside;
+    struct point_list inside, outside;
 };
 
 static void sort_point(void *context, const int index[DIM_MAX]) {
@@ -306,14 +306,15 @@ static void sort_point(void *context, const int index[DIM_MAX]) {
     double depth = shape_nearest(p, x, &wall).depth, on = LAYOUT_ON_WALL * f->d[0];
     if (f->clear > 0 && depth < f->clear) return;
     if (!(depth >= -on)) {
-        if (distance_outside(p, x, depth) < all->reach) list_add(&all->outside, x, 0, 0);
+        if (distance_outside(p, x, depth) < all->reach) points_add(&all->outside, x, 0, 0);
         return;
     }
     for (int a = 0; a < DIM_MAX; a++) lo[a] = at[a] - f->d[a] / 2, hi[a] = at[a] + f->d[a] / 2;
-    list_add(&all->inside, x, shape_clipped(p, lo, hi), depth <= on && p->side[wall] == DIRICHLET);
+    points_add(&all->inside, x, shape_clipped(p, lo, hi), depth <= on && p->side[wall] == DIRICHLET);
 }
 
-static void fill_cloud(struct cloud *c, const struct list *inside, const struct list *outside, size_t room) {
+static void fill_cloud(struct cloud *c, const struct point_list *inside, const struct point_list *outside,
+                       size_t room) {
     layout_cloud_alloc(c, room);
     c->cell = xcalloc(c->n, sizeof *c->cell);
     c->held = xcalloc(c->n, 1);
@@ -378,8 +379,8 @@ static int cut_cloud(const struct problem *p, const struct options *o, const str
         mirror_round(p, c);
     else if (mirrors)
         mirror_plane(p, o, l, c);
-    list_free(&all.inside);
-    list_free(&all.outside);
+    points_free(&all.inside);
+    points_free(&all.outside);
     if (c->n > 0) return STATUS_OK;
     layout_cloud_free(c);
     return refuse(why, STATUS_INPUT, "--dx %g: no point of the lattice is in the body; use a smaller --dx", o->dx);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 /* Cell of point i, by axis. */
-static void find_cell(const struct neighbours *nb, size_t i, int at[DIM_MAX]) {
+static void cell_coordinates(const struct neighbours *nb, size_t i, int at[DIM_MAX]) {
     double x[DIM_MAX];
     layout_cloud_place(nb->cloud, i, x);
     for (int a = 0; a < DIM_MAX; a++) at[a] = (int)((x[a] - nb->lo[a]) / nb->cell);
@@ -15,7 +15,7 @@ static void find_cell(const struct neighbours *nb, size_t i, int at[DIM_MAX]) {
 
 static size_t cell_of(const struct neighbours *nb, size_t i) {
     int at[DIM_MAX];
-    find_cell(nb, i, at);
+    cell_coordinates(nb, i, at);
     return ((size_t)at[2] * (size_t)nb->cells[1] + (size_t)at[1]) * (size_t)nb->cells[0] + (size_t)at[0];
 }
 
@@ -58,7 +58,7 @@ void neighbours_free(struct neighbours *nb) {
 int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[NEIGHBOURS_RUNS],
                     uint32_t end[NEIGHBOURS_RUNS]) {
     int at[DIM_MAX], from[DIM_MAX], to[DIM_MAX], runs = 0;
-    find_cell(nb, i, at);
+    cell_coordinates(nb, i, at);
     for (int a = 0; a < DIM_MAX; a++) {
         from[a] = at[a] > 0 ? at[a] - 1 : 0;
         to[a] = at[a] + 1 < nb->cells[a] ? at[a] + 1 : nb->cells[a] - 1;

@@ -232,7 +232,7 @@ void voronoi_metric(const struct material *m, int dim, double scale[2]) {
     scale[1] = 1 / scale[0];
 }
 
-static void find_images(struct mesh *m) {
+static void collect_images(struct mesh *m) {
     const struct cloud *c = m->c;
     m->points = c->n;
     m->image = xcalloc(2 * c->n, sizeof *m->image);
@@ -243,7 +243,7 @@ static void find_images(struct mesh *m) {
 static void mesh_create(struct mesh *m, const struct problem *p, const struct cloud *c) {
     *m = (struct mesh){.p = p, .c = c, .places = *c, .points = c->total};
     m->spacing = c->dim == 2 ? sqrt(c->volume) : c->volume;
-    if (p->shape) find_images(m);
+    if (p->shape) collect_images(m);
     voronoi_metric(&p->material[0], p->dim, m->scale);
     m->interface = p->materials == 2 ? p->interface * m->scale[0] : NAN;
     m->reach = c->reach * fmin(m->scale[0], m->scale[1]);
@@ -305,7 +305,7 @@ static int bad_cell(const struct mesh *m, size_t i, const struct voronoi_candida
 }
 
 /* A cell that no farther point can cut, and for a round body its part inside. */
-static int find_cell(const struct mesh *m, size_t i, struct voronoi_candidates *c, struct voronoi_polygon *cell,
+static int make_cell(const struct mesh *m, size_t i, struct voronoi_candidates *c, struct voronoi_polygon *cell,
                      struct voronoi_round *inside, struct failure *why) {
     const double at[2] = {m->c->x[i], m->c->y[i]};
     double farthest;
@@ -352,7 +352,7 @@ struct work { /* cells, or averages of the initial data over them */
     double *T; /* K */
 };
 
-static int find_cells(void *context, int b, size_t begin, size_t end, struct failure *why) {
+static int make_cells(void *context, int b, size_t begin, size_t end, struct failure *why) {
     struct work *w = context;
     struct voronoi *v = w->v;
     struct voronoi_candidates c = {0};
@@ -361,7 +361,7 @@ static int find_cells(void *context, int b, size_t begin, size_t end, struct fai
     int status = STATUS_OK;
     for (size_t i = begin; i < end && !status; i++) {
         size_t before = w->part[b].n;
-        status = find_cell(w->m, i, &c, &cell, &inside, why);
+        status = make_cell(w->m, i, &c, &cell, &inside, why);
         if (status) break;
         add_faces(w->m, i, &cell, &inside, &w->part[b]);
         v->begin[i + 1] = w->part[b].n - before;
@@ -450,7 +450,7 @@ static void integrate_parts(const struct problem *p, const struct mesh *m, size_
     }
 }
 
-static int find_means(void *context, int b, size_t begin, size_t end, struct failure *why) {
+static int average_cells(void *context, int b, size_t begin, size_t end, struct failure *why) {
     struct work *w = context;
     struct voronoi_candidates c = {0};
     struct voronoi_polygon cell;
@@ -459,7 +459,7 @@ static int find_means(void *context, int b, size_t begin, size_t end, struct fai
     (void)b;
     for (size_t i = begin; i < end && !status; i++) {
         double sum[2] = {0, 0};
-        status = find_cell(w->m, i, &c, &cell, &inside, why);
+        status = make_cell(w->m, i, &c, &cell, &inside, why);
         if (!status) integrate_parts(w->m->p, w->m, i, &cell, 0, 0, sum), w->T[i] = sum[0] / sum[1];
     }
     free(c.at);
@@ -469,7 +469,7 @@ static int find_means(void *context, int b, size_t begin, size_t end, struct fai
 int voronoi_average(const struct problem *p, const struct cloud *c, int threads, double *T, struct failure *why) {
     struct mesh m;
     mesh_create(&m, p, c);
-    int status = blocks_run(c->n, threads, find_means, &(struct work){.m = &m, .T = T}, why);
+    int status = blocks_run(c->n, threads, average_cells, &(struct work){.m = &m, .T = T}, why);
     mesh_free(&m);
     return status;
 }
@@ -483,7 +483,7 @@ int voronoi_create(struct voronoi *v, const struct problem *p, const struct clou
     v->beyond = p->materials == 2 ? xcalloc(c->n, sizeof *v->beyond) : NULL;
     mesh_create(&m, p, c);
     struct work all = {.m = &m, .v = v};
-    int status = blocks_run(c->n, threads, find_cells, &all, why);
+    int status = blocks_run(c->n, threads, make_cells, &all, why);
     mesh_free(&m);
     if (!status) {
         size_t faces = blocks_list_join(all.part, v->n, v->begin, &v->point, &v->face);

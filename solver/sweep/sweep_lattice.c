@@ -12,7 +12,7 @@ enum {
     TOGETHER = 8 /* updates per sweep */
 };
 
-static sweep_band *band_of(int lanes) {
+static sweep_band *band_for(int lanes) {
     if (lanes == 0) lanes = options_lanes_most();
     return lanes == 8 ? sweep_band_8 : lanes == 4 ? sweep_band_4 : sweep_band_2;
 }
@@ -88,7 +88,7 @@ struct sweep {
 };
 
 /* Update k of rows [row, end), and the ghosts of these rows for the next update. */
-static void advance(const void *what, int k, ptrdiff_t row, ptrdiff_t end) {
+static void advance_lattice(const void *what, int k, ptrdiff_t row, ptrdiff_t end) {
     const struct sweep *s = what;
     const struct heat_operator *a = s->a;
     ptrdiff_t ny = a->lattice.n[1], lowest = a->reach[1] < ny ? a->reach[1] : ny - 1;
@@ -103,9 +103,9 @@ static void advance(const void *what, int k, ptrdiff_t row, ptrdiff_t end) {
 
 /* Each slab contains the rows that its side mirrors. */
 void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
-    struct sweep s = {a, u, count, support_of(a), band_of(a->lanes), Y};
+    struct sweep s = {a, u, count, support_of(a), band_for(a->lanes), Y};
     ptrdiff_t ny = a->lattice.n[1], lag = a->reach[1], slabs = lag > 0 ? ny / (2 * lag) : 1;
-    struct wavefront w = {advance, &s, ny, lag, BAND, TOGETHER, a->threads < slabs ? a->threads : (int)slabs};
+    struct wavefront w = {advance_lattice, &s, ny, lag, BAND, TOGETHER, a->threads < slabs ? a->threads : (int)slabs};
     refresh_all(a, Y[0]);
     wavefront_sweep(&w, count);
 }

@@ -140,7 +140,7 @@ static int product_transform(const struct modes *s, const double *F, struct prod
     return 1;
 }
 
-static double largest(const double *x, int n) {
+static double largest_magnitude(const double *x, int n) {
     double most = 0;
     for (int i = 0; i < n; i++) most = fmax(most, fabs(x[i]));
     return most;
@@ -152,10 +152,10 @@ static void drop_absent(const struct products *p, int axis, int *keep) {
     int n = p->n[axis], across = p->n[1 - axis];
     double *size = xcalloc((size_t)n, sizeof *size);
     for (int r = 0; r < p->rank; r++) {
-        double other = largest(p->factor[1 - axis] + r * across, across);
+        double other = largest_magnitude(p->factor[1 - axis] + r * across, across);
         for (int k = 0; k < n; k++) size[k] += other * fabs(p->factor[axis][r * n + k]);
     }
-    double most = largest(size, n);
+    double most = largest_magnitude(size, n);
     for (int k = 0; k < n; k++) keep[k] &= size[k] > DBL_EPSILON * most;
     free(size);
 }

@@ -39,7 +39,7 @@ static double norm(const double *T, size_t n) {
 }
 
 /* Advances T, of norm 1, by dt.  Returns 0 if T is no longer finite. */
-static int advance(const struct heat_operator *a, double bound, double dt, double *T) {
+static int march_for(const struct heat_operator *a, double bound, double dt, double *T) {
     const enum stepper_name stepper = stepper_auto(1, 0, 0);
     struct march m = {.stepper = stepper,
                       .time = dt,
@@ -61,8 +61,8 @@ static double normalise(double *T, size_t n) {
 }
 
 /* Advances T by dt and scales it to norm 1; returns the logarithm of the growth factor. */
-static double step(const struct heat_operator *a, double bound, double dt, double *T) {
-    return advance(a, bound, dt, T) ? normalise(T, a->n) : NAN;
+static double grow_by_step(const struct heat_operator *a, double bound, double dt, double *T) {
+    return march_for(a, bound, dt, T) ? normalise(T, a->n) : NAN;
 }
 
 /* Growth rate from the last of several steps of at most *length s.  A step with a factor that is not finite is
@@ -73,7 +73,7 @@ static double iterate(const struct heat_operator *a, double bound, double least,
     for (int k = 0, tries = 0; k < MOST && tries < TRIES; k++, tries++) {
         for (size_t i = 0; i < a->n; i++) kept[i] = T[i];
         double before = grown, shorter = 1;
-        grown = step(a, bound, dt, T);
+        grown = grow_by_step(a, bound, dt, T);
         if (!isfinite(grown)) {
             for (size_t i = 0; i < a->n; i++) T[i] = kept[i];
             shorter = 16;
@@ -128,13 +128,13 @@ double growth_rate(const struct heat_operator *a, double bound, double time) {
 }
 
 /* Replaces the noise by its change in a step, five times: modes that hardly change in a step are removed. */
-static int take_what_decays(const struct heat_operator *a, double bound, double dt, double *T) {
+static int keep_decaying(const struct heat_operator *a, double bound, double dt, double *T) {
     enum { TIMES = 5 };
     double *kept = xcalloc(a->n, sizeof *kept);
     int ok = 1;
     for (int k = 0; k < TIMES && ok; k++) {
         for (size_t i = 0; i < a->n; i++) kept[i] = T[i];
-        ok = advance(a, bound, dt, T);
+        ok = march_for(a, bound, dt, T);
         for (size_t i = 0; i < a->n; i++) T[i] -= kept[i];
         normalise(T, a->n);
     }
@@ -149,9 +149,9 @@ static double slowest(const struct heat_operator *a, double bound, double dt, do
     const double gone = -log(100 * sqrt((double)a->n));
     double sum[MOST + 1] = {0};
     int k = 0;
-    if (!take_what_decays(a, bound, dt, T)) return INFINITY;
+    if (!keep_decaying(a, bound, dt, T)) return INFINITY;
     while (k < MOST && k < steps && sum[k] > gone) {
-        double grown = step(a, bound, dt, T);
+        double grown = grow_by_step(a, bound, dt, T);
         if (!isfinite(grown)) return INFINITY;
         sum[k + 1] = sum[k] + grown, k++;
     }

@@ -137,7 +137,7 @@ int matched_isotropic(int dim, const struct options *o, const struct scheme *s, 
 
 /* Planes normal to an axis at which the lattice data jump: those of the problem, and walls with other values than
  * the data. */
-static int find_jumps(const struct problem *p, const struct lattice *l, int axis, double plane[JUMP_MAX + 2]) {
+static int list_jumps(const struct problem *p, const struct lattice *l, int axis, double plane[JUMP_MAX + 2]) {
     int n = 0;
     for (int k = 0; k < p->jumps[axis]; k++)
         if (p->jump[axis][k] > p->lo[axis] && p->jump[axis][k] < p->hi[axis]) plane[n++] = p->jump[axis][k];
@@ -153,11 +153,11 @@ static int varies(const struct problem *p, const struct lattice *l, int axis, co
         for (int j = 0; j < l->n[1] - (axis == 1); j++)
             for (int i = 0; i < l->n[0] - (axis == 0); i++) {
                 double x[DIM_MAX], next[DIM_MAX];
-                int apart = 0;
+                int divided = 0;
                 layout_position(l, i, j, k, x);
                 layout_position(l, i + (axis == 0), j + (axis == 1), k + (axis == 2), next);
-                for (int m = 0; m < planes; m++) apart |= x[axis] < plane[m] && plane[m] < next[axis];
-                if (!apart && p->initial(p, x) != p->initial(p, next)) return 1;
+                for (int m = 0; m < planes; m++) divided |= x[axis] < plane[m] && plane[m] < next[axis];
+                if (!divided && p->initial(p, x) != p->initial(p, next)) return 1;
             }
     return 0;
 }
@@ -193,7 +193,7 @@ int matched_check(const struct problem *p, const struct options *o, const struct
             "with varying data excites at third order; use so_ssph");
     if (o->sampling != SAMPLING_POINT) return STATUS_OK;
     for (int a = 0; a < p->dim; a++) {
-        jumps[a] = find_jumps(p, l, a, plane[a]), jumping += jumps[a] > 0;
+        jumps[a] = list_jumps(p, l, a, plane[a]), jumping += jumps[a] > 0;
         for (int k = 0; k < jumps[a]; k++) {
             double at = (plane[a][k] - l->first[a]) / l->dx[a];
             if (fabs(at - floor(at) - 0.5) < 1e-6) continue;
@@ -221,7 +221,7 @@ static double filter_order(const struct problem *p, const struct options *o, con
     double plane[JUMP_MAX + 2];
     if (o->sampling == SAMPLING_CELL) return 1;
     if (o->sampling == SAMPLING_SPLINE) return 4;
-    return find_jumps(p, l, 0, plane) ? -1 : 0;
+    return list_jumps(p, l, 0, plane) ? -1 : 0;
 }
 
 static double start_time(const struct problem *p, const struct options *o, const struct lattice *l) {

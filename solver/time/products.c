@@ -16,7 +16,7 @@
 enum { APART = 8 }; /* independent maxima, which hide the latency */
 
 /* Residual R(., j) in `row`. */
-static void residual(const struct products *p, const double *F, int j, double *restrict row) {
+static void residual_row(const struct products *p, const double *F, int j, double *restrict row) {
     size_t nx = (size_t)p->n[0];
     for (size_t i = 0; i < nx; i++) row[i] = F[(size_t)j * nx + i];
     for (int r = 0; r < p->rank; r++) {
@@ -28,7 +28,7 @@ static void residual(const struct products *p, const double *F, int j, double *r
 }
 
 /* max |row|; NaN if a value is not finite. */
-static double largest(const double *restrict row, size_t n) {
+static double largest_in_row(const double *restrict row, size_t n) {
     double most[APART] = {0}, zero[APART] = {0}, all = 0, none = 0;
     size_t i = 0;
     for (; i + APART <= n; i += APART)
@@ -43,7 +43,7 @@ static double largest(const double *restrict row, size_t n) {
 }
 
 /* repeats[j]: 1 if row j equals the previous row, bit for bit. */
-static char *find_repeats(const double *F, const int n[2]) {
+static char *mark_repeats(const double *F, const int n[2]) {
     char *repeats = xcalloc((size_t)n[1], 1);
     size_t nx = (size_t)n[0];
     for (int j = 1; j < n[1]; j++)
@@ -52,12 +52,12 @@ static char *find_repeats(const double *F, const int n[2]) {
 }
 
 /* Largest |R| and its row *at; NaN if a value is not finite. */
-static double search(const struct products *p, const double *F, const char *repeats, double *row, int *at) {
+static double largest_residual(const struct products *p, const double *F, const char *repeats, double *row, int *at) {
     double most = -1;
     for (int j = 0; j < p->n[1]; j++) {
         if (repeats[j]) continue;
-        residual(p, F, j, row);
-        double size = largest(row, (size_t)p->n[0]);
+        residual_row(p, F, j, row);
+        double size = largest_in_row(row, (size_t)p->n[0]);
         if (isnan(size)) return size;
         if (size > most) most = size, *at = j;
     }
@@ -67,7 +67,7 @@ static double search(const struct products *p, const double *F, const char *repe
 static void add_product(struct products *p, const double *F, int j) {
     size_t nx = (size_t)p->n[0], ny = (size_t)p->n[1], r = (size_t)p->rank, i = 0;
     double *X = p->factor[0] + r * nx, *Y = p->factor[1] + r * ny;
-    residual(p, F, j, X);
+    residual_row(p, F, j, X);
     for (size_t k = 0; k < nx; k++)
         if (fabs(X[k]) > fabs(X[i])) i = k;
     for (size_t k = 0; k < ny; k++) {
@@ -80,12 +80,12 @@ static void add_product(struct products *p, const double *F, int j) {
 
 int products_split(const double *F, const int n[2], double tolerance, int most, struct products *p) {
     double *row = xcalloc((size_t)n[0], sizeof *row), size, all = 0;
-    char *repeats = find_repeats(F, n);
+    char *repeats = mark_repeats(F, n);
     int at = 0;
     *p = (struct products){.n = {n[0], n[1]}};
     for (int a = 0; a < 2; a++) p->factor[a] = xcalloc((size_t)most * (size_t)n[a], sizeof *p->factor[a]);
     for (;;) {
-        size = search(p, F, repeats, row, &at);
+        size = largest_residual(p, F, repeats, row, &at);
         if (p->rank == 0) all = size;
         if (!(size > tolerance * all) || p->rank == most) break;
         add_product(p, F, at);

@@ -17,8 +17,9 @@
  *
  * For an L that is not linear (`stage`), with b_0 = b_1 = b_2 = 1/3,
  *
- *     Y_1 = Y_0 + m_1 dt L_0,   Y_j = a_j Y_(j-1) + n_j Y_(j-2) + (1 - a_j - n_j) Y_0 + m_j dt (L_(j-1) - (1 -
- * b_(j-1)) L_0), a_j = (2j - 1)/j b_j/b_(j-1),   n_j = -(j - 1)/j b_j/b_(j-2),   m_j = w a_j,   m_1 = w b_1.
+ *     Y_1 = Y_0 + m_1 dt L_0,   m_1 = w b_1,
+ *     Y_j = a_j Y_(j-1) + n_j Y_(j-2) + (1 - a_j - n_j) Y_0 + m_j dt (L_(j-1) - (1 - b_(j-1)) L_0),
+ *     a_j = (2j - 1)/j b_j/b_(j-1),   n_j = -(j - 1)/j b_j/b_(j-2),   m_j = w a_j.
  *
  * If L depends on time, t joins the unknowns with the rate 1, and a stage has the time above.  The conditions for
  * order 2 are the same for linear and nonlinear L, so order 2 holds with data that change.

@@ -11,8 +11,10 @@
  * and a file with its struct stepper. */
 
 /* One stage of a step of dT/dt = L(T, t) that need not be linear:
- *     Y_j = newer Y_(j-1) + older Y_(j-2) + (1 - newer - older) Y_0 + dt rate (L(Y_(j-1), t + time dt) - first L(Y_0,
- * t)), Y_0 the state at t.  Of stage 1 `rate` alone is used: Y_1 = Y_0 + dt rate L(Y_0, t). */
+ *
+ *     Y_j = newer Y_(j-1) + older Y_(j-2) + (1 - newer - older) Y_0 + dt rate (L_(j-1) - first L_0),
+ *
+ * Y_0 the state at t, L_0 = L(Y_0, t), L_(j-1) = L(Y_(j-1), t + time dt).  Stage 1 is Y_0 + dt rate L_0. */
 struct stage {
     double newer, older, rate, first, time;
 };

@@ -34,8 +34,8 @@ enum {
 
 struct basis {
     fftw_r2r_kind kind[2]; /* forward, backward */
-    double first;          /* theta_k = pi (k + first) / (n + more) */
-    int more;
+    double first;          /* theta_k = pi (k + first) / (n + extra) */
+    int extra;
 };
 
 /* Indexed by [node layout][low side even][high side even]. */
@@ -105,13 +105,13 @@ static double *recurrence_modes(const struct lattice *l, int axis) {
 double transform_angle(const struct lattice *l, int axis, int k) {
     if (is_recurrent(l, axis)) return (M_PI * k + recurrence_shift(l, axis, k)) / l->n[axis];
     const struct basis *b = basis_of(l, axis);
-    return M_PI * (k + b->first) / (l->n[axis] + b->more);
+    return M_PI * (k + b->first) / (l->n[axis] + b->extra);
 }
 
 double transform_scale(const struct lattice *l) {
     double scale = 1;
     for (int a = 0; a < l->dim; a++)
-        if (!is_recurrent(l, a)) scale *= 2.0 * (l->n[a] + basis_of(l, a)->more);
+        if (!is_recurrent(l, a)) scale *= 2.0 * (l->n[a] + basis_of(l, a)->extra);
     return scale;
 }
 
@@ -131,7 +131,7 @@ static struct {
     fftw_plan plan[KEPT];
 } kept;
 
-static fftw_plan find_plan(int n, fftw_r2r_kind kind, int *is_kept) {
+static fftw_plan cached_plan(int n, fftw_r2r_kind kind, int *is_kept) {
     int i = 0;
     while (i < kept.count && (kept.n[i] != n || kept.kind[i] != kind)) i++;
     *is_kept = i < KEPT;
@@ -152,7 +152,7 @@ static struct axis prepare(const struct lattice *l, int axis) {
         return a;
     }
 #pragma omp critical(fftw_planner)
-    for (int way = 0; way < 2; way++) a.plan[way] = find_plan(a.n, basis_of(l, axis)->kind[way], &a.kept[way]);
+    for (int way = 0; way < 2; way++) a.plan[way] = cached_plan(a.n, basis_of(l, axis)->kind[way], &a.kept[way]);
     return a;
 }
 

@@ -21,14 +21,14 @@ static int phases_of(int dim) {
     return dim == 3 ? 48 : 128;
 }
 
-static size_t place(const struct symbol *s, int i, int j, int k) {
+static size_t weight_index(const struct symbol *s, int i, int j, int k) {
     const int *r = s->reach;
     return (size_t)(((k + r[2]) * (2 * r[1] + 1) + j + r[1]) * (2 * r[0] + 1) + i + r[0]);
 }
 
 static void reserve(struct symbol *s, int dim, const int reach[DIM_MAX]) {
     *s = (struct symbol){dim, {reach[0], reach[1], reach[2]}, NULL};
-    s->w = xcalloc(place(s, reach[0], reach[1], reach[2]) + 1, sizeof *s->w);
+    s->w = xcalloc(weight_index(s, reach[0], reach[1], reach[2]) + 1, sizeof *s->w);
 }
 
 /* Loops over all offsets of a stencil. */
@@ -43,7 +43,7 @@ static int from_scheme(struct symbol *s, const struct model_problem *b, struct f
     int r[DIM_MAX];
     if (operator_stencil(&p, &b->options, b->method->scheme, 1, p.material[0].k, r, &octant, why)) return why->status;
     reserve(s, b->dim, r);
-    OFFSETS(s, i, j, k) s->w[place(s, i, j, k)] = octant[operator_offset(r, abs(i), abs(j), abs(k))];
+    OFFSETS(s, i, j, k) s->w[weight_index(s, i, j, k)] = octant[operator_offset(r, abs(i), abs(j), abs(k))];
     free(octant);
     return STATUS_OK;
 }
@@ -62,7 +62,7 @@ static int from_impulse(struct symbol *s, const struct model_problem *given, str
     int reach[DIM_MAX] = {0};
     for (int a = 0; a < b.dim; a++) reach[a] = IMPULSE / 2;
     reserve(s, b.dim, reach);
-    OFFSETS(s, i, j, k) s->w[place(s, -i, -j, -k)] = (f.T[place(s, i, j, k)] - (!i && !j && !k)) / o.dt;
+    OFFSETS(s, i, j, k) s->w[weight_index(s, -i, -j, -k)] = (f.T[weight_index(s, i, j, k)] - (!i && !j && !k)) / o.dt;
     field_free(&f);
     return STATUS_OK;
 }
@@ -78,14 +78,14 @@ void symbol_free(struct symbol *s) {
 
 double symbol_weight(const struct symbol *s, int i, int j, int k) {
     const int *r = s->reach;
-    return abs(i) > r[0] || abs(j) > r[1] || abs(k) > r[2] ? 0 : s->w[place(s, i, j, k)];
+    return abs(i) > r[0] || abs(j) > r[1] || abs(k) > r[2] ? 0 : s->w[weight_index(s, i, j, k)];
 }
 
 double complex symbol_at(const struct symbol *s, const double *theta) {
     double re = 0, im = 0, across[2] = {s->dim > 1 ? theta[1] : 0, s->dim > 2 ? theta[2] : 0};
     for (int k = -s->reach[2]; k <= s->reach[2]; k++)
         for (int j = -s->reach[1]; j <= s->reach[1]; j++) {
-            const double *w = &s->w[place(s, 0, j, k)];
+            const double *w = &s->w[weight_index(s, 0, j, k)];
             double row_re = w[0], row_im = 0;
             for (int i = 1; i <= s->reach[0]; i++) {
                 row_re += (w[i] + w[-i]) * cos(i * theta[0]);
@@ -112,7 +112,7 @@ static fftw_complex *transform(const struct symbol *s, size_t *count) {
 #pragma omp critical(fftw_planner)
     plan = fftw_plan_dft(s->dim, sizes, z, z, FFTW_BACKWARD, FFTW_ESTIMATE);
     for (size_t i = 0; i < *count; i++) z[i] = 0;
-    OFFSETS(s, i, j, k) z[(wrapped(k, n) * n + wrapped(j, n)) * n + wrapped(i, n)] += s->w[place(s, i, j, k)];
+    OFFSETS(s, i, j, k) z[(wrapped(k, n) * n + wrapped(j, n)) * n + wrapped(i, n)] += s->w[weight_index(s, i, j, k)];
     fftw_execute(plan);
 #pragma omp critical(fftw_planner)
     fftw_destroy_plan(plan);
@@ -157,8 +157,8 @@ static int is_lowest(const struct symbol *s, const double *limit, size_t k) {
 
 /* Starts from every minimum of the grid within NEAR of the least one; of images by symmetry, which have the same
  * limit, from the first. */
-static void search(const struct symbol *s, const struct amplification *step, double reach, double floor,
-                   const double *limit, size_t count, struct symbol_extreme *e) {
+static void search_minima(const struct symbol *s, const struct amplification *step, double reach, double floor,
+                          const double *limit, size_t count, struct symbol_extreme *e) {
     enum { STARTS_MAX = 64 };
     static const double NEAR = 0.1, SAME = 1e-9;
     const double least = e->limit;
@@ -197,7 +197,7 @@ struct symbol_extreme symbol_extreme(const struct symbol *s, const struct amplif
     for (size_t a = 0, rest = least, n = (size_t)phases_of(s->dim); a < DIM_MAX; a++, rest /= n)
         e.theta[a] = 2 * M_PI / (double)n * (double)(rest % n);
     fftw_free(z);
-    if (e.limit > 0 && isfinite(e.limit)) search(s, step, reach, floor, limit, count, &e);
+    if (e.limit > 0 && isfinite(e.limit)) search_minima(s, step, reach, floor, limit, count, &e);
     free(limit);
     return e;
 }
