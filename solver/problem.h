@@ -72,8 +72,9 @@ struct problem {
  *   2. its row in problem_laws (problem.c): a name, q as `exchange`, and nonlinear = 1 if q is not linear in T
  *   3. its word in verification/case/case_file.c, and in the table of verification/README.md
  *   4. a scene with such a wall
- * A problem with a nonlinear law is solved by solver/particles/nonlinear.c and the finite differences for k(T), which
- * take any q; all solvers of dT/dt = A T + g refuse it.  A law that is linear in T is one of the kinds above. */
+ * A problem with a nonlinear law is solved by solver/particles/nonlinear.c and, if k depends on T too, by the finite
+ * differences; both take any q.  All solvers of dT/dt = A T + g refuse it.  A law linear in T is one of the kinds
+ * above. */
 struct wall_law {
     const char *name; /* for messages */
     int is_flux;      /* 1: `wall` is the flux into the body; 0: a temperature */

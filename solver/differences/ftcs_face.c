@@ -86,15 +86,16 @@ static double mean_of(enum mean mean, double a, double b) {
     return a > 0 && b > 0 ? 2 / (1 / a + 1 / b) : 0;
 }
 
-/* T_wall from theta(T_wall) - theta(T) = half b (T_a - T_wall), of which the left side grows with T_wall and the
- * right one falls: Newton's method, between the two temperatures. */
-static double balanced(const struct problem *p, double T, double T_a, double b_half) {
+/* T_wall from theta(T_wall) - theta(T) = half q(T_wall), q the law of the side.  The left side grows with T_wall and
+ * the right one falls: Newton's method, between the two temperatures. */
+static double balanced(const struct problem *p, enum side s, double T, double T_a, double half) {
     enum { MOST = 60 };
     double lo = fmin(T, T_a), hi = fmax(T, T_a), wall = T, known = theta(p, T);
     for (int i = 0; i < MOST && lo < hi; i++) {
-        double apart = theta(p, wall) - known - b_half * (T_a - wall);
+        double slope, heat = problem_law(p, (int)s)->exchange(p, s, half, T_a, wall, &slope);
+        double apart = theta(p, wall) - known - heat;
         *(apart > 0 ? &hi : &lo) = wall;
-        double next = wall - apart / (ftcs_face_law(p, wall) + b_half);
+        double next = wall - apart / (ftcs_face_law(p, wall) - slope);
         if (!(next > lo && next < hi)) next = lo + (hi - lo) / 2;
         if (next == wall || next == lo || next == hi) break;
         wall = next;
@@ -105,10 +106,11 @@ static double balanced(const struct problem *p, double T, double T_a, double b_h
 /* Flux into a cell at T with the conductivity k, W m^-2, through a wall at the distance `half`. */
 double ftcs_face_wall(const struct ftcs_grid *g, enum side s, double T, double k, double value, double half) {
     const struct problem *p = g->p;
-    const double b = p->robin[s];
-    if (p->side[s] == NEUMANN) return value;
-    if (p->k_frozen) return (value - T) / (half / k + (p->side[s] == ROBIN ? 1 / b : 0));
-    if (p->side[s] == ROBIN) return b * (value - balanced(p, T, value, b * half));
+    const struct wall_law *law = problem_law(p, (int)s);
+    double slope;
+    if (law->is_flux) return value;
+    if (p->k_frozen) return (value - T) / (half / k + (law->exchange ? 1 / problem_transfer(p, (int)s) : 0));
+    if (law->exchange) return law->exchange(p, s, 1, value, balanced(p, s, T, value, half), &slope);
     if (!g->C[0]) return (theta(p, value) - theta(p, T)) / half;
     return mean_of(g->o->mean, k, ftcs_face_law(p, value)) * (value - T) / half;
 }

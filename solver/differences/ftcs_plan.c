@@ -50,6 +50,8 @@ static int check_options(const char *method, int with_fluxes, const struct probl
         {two && o->sampling == SAMPLING_SPLINE, "sampling", sampling, "takes one material; use point or cell"},
         {two && node, "layout", layout, "takes one material; use lattice"},
         {two && matched, "stepper", stepper, "takes one material; use euler"},
+        {!law && problem_nonlinearity(p), NULL, NULL,
+         "a wall whose flux is not linear in T needs k(T) here; use so_ssph"},
         {law && with_fluxes, NULL, NULL, "takes one k, the scene has k(T); use ftcs"},
         {law && node, "layout", layout, "k(T) is for the points of cells; use lattice"},
         {law && o->walls != WALLS_MIRROR, "walls", walls,

@@ -61,7 +61,7 @@ static const struct row {
     {"wave ftcs --dx 0.1 --walls fixed", "--walls fixed: the scene is periodic and has no walls; use mirror"},
     {"rod-step ftcs --dx 0.1 --layout jitter", "--layout jitter: finite differences need a grid"},
     {"rod-step ftcs --dx 0.1 --walls fit", "--walls fit: is for particles; use mirror or fixed"},
-    {"rod-step ftcs --dx 0.1 --stepper rkl2", "--stepper rkl2: finite differences have euler, auto"},
+    {"rod-step ftcs --dx 0.1 --stepper chebyshev", "--stepper chebyshev: finite differences have euler, rk2"},
     {"square-step ftcs --dx 0.1 --stepper matched", "--stepper matched: in the plane the error is not isotropic"},
 };
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const struct method method_fo_ssph, method_so_ssph;
+extern const struct method method_brookshaw, method_fo_ssph, method_so_ssph;
 
 /* ---- sweeps ---- */
 
@@ -72,31 +72,49 @@ static void made_free(struct made *m) {
 
 /* ---- The definition ---- */
 
-static double at(const struct heat_operator *a, const double *x, int i, int j) {
+/* The value at a place that may be outside: the ghosts of layout.h, one axis after the other. */
+static double value_at(const struct heat_operator *a, const double *x, const int place[DIM_MAX]) {
     const struct lattice *l = &a->lattice;
-    int place[2] = {i, j};
-    double sign = 1;
-    for (int d = 0; d < 2; d++) {
-        int beyond = place[d] < 0 ? -place[d] : place[d] - l->n[d] + 1, side = 2 * d + (place[d] >= l->n[d]);
-        if (beyond <= 0 || (place[d] >= 0 && place[d] < l->n[d])) continue;
-        int from = beyond - 1 + l->shift[side];
-        if (from < 0) return 0;
-        sign *= l->sign[side];
-        place[d] = side % 2 ? l->n[d] - 1 - from : from;
+    for (int d = 0; d < DIM_MAX; d++) {
+        int high = place[d] >= l->n[d], side = 2 * d + high, k = high ? place[d] - l->n[d] + 1 : -place[d];
+        if (k <= 0) continue;
+        int at[DIM_MAX] = {place[0], place[1], place[2]}, out = high ? 1 : -1;
+        if (l->sign[side] == LAYOUT_RECURRENCE) {
+            at[d] -= out;
+            double beside = value_at(a, x, at), f = l->factor[side];
+            if (k == 1) return f * beside;
+            at[d] = high ? l->n[d] - k : k - 1;
+            double source = value_at(a, x, at);
+            at[d] += out;
+            return f * (beside + source) - value_at(a, x, at);
+        }
+        int from = k - 1 + l->shift[side];
+        if (from < 0 || l->sign[side] == 0) return 0;
+        at[d] = high ? l->n[d] - 1 - from : from;
+        return l->sign[side] * value_at(a, x, at);
     }
-    return sign * x[operator_row(a, place[1]) + place[0]];
+    return x[operator_place(a, place[1], place[2]) + place[0]];
+}
+
+static double applied(const struct heat_operator *a, const double *x, int i, int j, int k) {
+    double sum = 0;
+    for (int n = -a->reach[2]; n <= a->reach[2]; n++)
+        for (int m = -a->reach[1]; m <= a->reach[1]; m++)
+            for (int l = -a->reach[0]; l <= a->reach[0]; l++) {
+                double w = a->weight[operator_offset(a->reach, abs(l), abs(m), abs(n))];
+                if (w != 0) sum += w * value_at(a, x, (const int[]){i + l, j + m, k + n});
+            }
+    return sum;
 }
 
 static void define(const struct heat_operator *a, const struct update *u, const double *x, double *y) {
-    for (int j = 0; j < a->lattice.n[1]; j++)
-        for (int i = 0; i < a->lattice.n[0]; i++) {
-            ptrdiff_t here = operator_row(a, j) + i;
-            double sum = a->g ? a->g[here] : 0;
-            for (int m = -a->reach[1]; m <= a->reach[1]; m++)
-                for (int k = -a->reach[0]; k <= a->reach[0]; k++)
-                    sum += a->weight[abs(m) * (a->reach[0] + 1) + abs(k)] * at(a, x, i + k, j + m);
-            y[here] = u->rate * sum + u->self * x[here] + u->old * y[here] + (u->Y0 ? u->start * u->Y0[here] : 0);
-        }
+    for (int k = 0; k < a->lattice.n[2]; k++)
+        for (int j = 0; j < a->lattice.n[1]; j++)
+            for (int i = 0; i < a->lattice.n[0]; i++) {
+                ptrdiff_t here = operator_place(a, j, k) + i;
+                double sum = applied(a, x, i, j, k) + (a->g ? a->g[here] : 0);
+                y[here] = u->rate * sum + u->self * x[here] + u->old * y[here] + (u->Y0 ? u->start * u->Y0[here] : 0);
+            }
 }
 
 static void assert_defined(struct problem p, struct options o, const struct method *method, int plain) {
@@ -117,36 +135,41 @@ static void assert_defined(struct problem p, struct options o, const struct meth
     made_free(&want);
 }
 
-/* h/dx for every stencil with a specialised loop, and for some without. */
-static const double widths[] = {0.9, 1.05, 1.23, 1.45, 1.55, 1.62, 2, 2.11, 2.2, 2.6};
+/* h/dx for every stencil with a loop of its own, and for some without: a rod, the plane, a box; ended by 0. */
+static const double widths[][11] = {{0.9, 1.05, 1.6, 2.2, 30.1}, /* the last reaches 60 particles */
+                                    {0.9, 1.05, 1.23, 1.45, 1.55, 1.62, 2, 2.11, 2.2, 2.6},
+                                    {0.72, 0.9, 1.1, 1.15, 1.3}}; /* 19, 27, 33 and 57 points */
+static const double spacings[] = {0.01, 0.05, 0.1};
 
-static void plane_sweep_equals_its_definition(void **state) {
-    (void)state;
-    for (size_t k = 0; k < sizeof widths / sizeof *widths; k++)
-        for (int walls = 0; walls < 3; walls++) {
-            struct problem p = odd_rectangle();
-            struct options o = {.dx = 0.05, .h = widths[k]};
-            o.layout = walls == 1 ? LAYOUT_NODE : LAYOUT_LATTICE;
-            o.walls = walls == 2 ? WALLS_FIXED : WALLS_MIRROR;
-            if (walls == 1) p.side[X_HI] = NEUMANN, p.side[Y_LO] = DIRICHLET;
-            assert_defined(p, o, &method_so_ssph, 0);
-            assert_defined(p, o, &method_so_ssph, 1);
-        }
+static struct problem odd_body(int dim) {
+    return dim == 1 ? odd_rod() : dim == 2 ? odd_rectangle() : odd_box();
 }
 
-static void composed_sweep_equals_its_definition(void **state) {
+static void sweeps_equal_their_definition(void **state) {
     (void)state;
-    assert_defined(odd_rectangle(), (struct options){.dx = 0.05, .h = 1.05}, &method_fo_ssph, 0);
-    assert_defined(odd_rectangle(), (struct options){.dx = 0.05, .h = 1.23}, &method_fo_ssph, 1);
+    for (int dim = 1; dim <= 3; dim++)
+        for (const double *h = widths[dim - 1]; *h > 0; h++)
+            for (int walls = 0; walls < (*h > 3 ? 1 : 4); walls++) {
+                struct problem p = odd_body(dim);
+                struct options o = {.dx = spacings[dim - 1], .h = *h};
+                o.layout = walls == 1 ? LAYOUT_NODE : LAYOUT_LATTICE;
+                o.walls = walls == 2 ? WALLS_FIXED : WALLS_MIRROR;
+                if (walls == 1) p.side[X_HI] = p.side[Z_LO] = NEUMANN, p.side[Y_LO] = DIRICHLET;
+                for (int s = 1; s < 2 * dim && walls == 3; s += 2) p.side[s] = ROBIN, p.robin[s] = 0.3 * s;
+                for (int plain = 0; plain < 2; plain++) assert_defined(p, o, &method_so_ssph, plain);
+            }
 }
 
-static void rod_sweep_equals_its_definition(void **state) {
+static void other_stencils_equal_their_definition(void **state) {
     (void)state;
-    static const double reach[] = {0.9, 1.05, 1.6, 2.2, 30.1}; /* the last reaches 60 particles */
-    for (size_t k = 0; k < sizeof reach / sizeof *reach; k++) {
-        struct options o = {.dx = 0.01, .h = reach[k]};
-        assert_defined(odd_rod(), o, &method_so_ssph, 0);
-        assert_defined(odd_rod(), o, &method_so_ssph, 1);
+    struct problem isotropic = odd_box();
+    for (int a = 0; a < 3; a++) isotropic.material[0].k[a] = 0.7;
+    for (int plain = 0; plain < 2; plain++) {
+        assert_defined(odd_rectangle(), (struct options){.dx = 0.05, .h = plain ? 1.23 : 1.05}, &method_fo_ssph,
+                       plain);
+        assert_defined(isotropic, (struct options){.dx = 0.1, .h = 0.7}, &method_brookshaw, plain); /* 7 points */
+        assert_defined(odd_box(), (struct options){.dx = 0.1, .h = 1.1}, &method_fo_ssph, plain);
+        assert_defined(odd_box(), (struct options){.dx = 0.1, .h = 2.2, .order = 4}, &method_so_ssph, plain);
     }
 }
 
@@ -161,57 +184,30 @@ static void assert_same_bits(const struct made *got, const struct made *want) {
     free(b);
 }
 
-static void sharing_a_sweep_changes_no_bit(void **state) {
+/* One update at a time against all in one call, for threads (the last: as many as there are slabs) and widths of
+ * vectors. */
+static void sharing_changes_no_bit(void **state) {
     (void)state;
-    for (int plain = 0; plain < 2; plain++) {
-        struct made together, apart;
-        make(&together, odd_rectangle(), (struct options){.dx = 0.05, .h = 1.23}, &method_so_ssph, plain);
-        make(&apart, odd_rectangle(), (struct options){.dx = 0.05, .h = 1.23}, &method_so_ssph, plain);
-        state_update(&together.a, together.u, UPDATES, together.Y);
-        for (int k = 0; k < UPDATES; k++) state_update(&apart.a, &apart.u[k], 1, apart.Y);
-        assert_same_bits(&together, &apart);
-        made_free(&together);
-        made_free(&apart);
-    }
-}
-
-static void threads_change_no_bit(void **state) {
-    (void)state;
-    static const int threads[] = {2, 3, 7, 1000}; /* the last: as many as there are slabs */
-    for (int plain = 0; plain < 2; plain++) {
-        struct made one;
-        make(&one, odd_rectangle(), (struct options){.dx = 0.01, .h = 1.23}, &method_so_ssph, plain);
-        state_update(&one.a, one.u, UPDATES, one.Y);
-        for (size_t k = 0; k < sizeof threads / sizeof *threads; k++) {
-            struct made many;
-            make(&many, odd_rectangle(), (struct options){.dx = 0.01, .h = 1.23}, &method_so_ssph, plain);
-            many.a.threads = threads[k];
-            state_update(&many.a, many.u, UPDATES, many.Y);
-            assert_same_bits(&many, &one);
-            made_free(&many);
-        }
-        made_free(&one);
-    }
-}
-
-static void the_width_of_vectors_changes_no_bit(void **state) {
-    (void)state;
-    for (size_t k = 0; k < sizeof widths / sizeof *widths; k++)
-        for (int plain = 0; plain < 2; plain++) {
-            struct made two;
-            struct options o = {.dx = 0.05, .h = widths[k], .lanes = 2};
-            make(&two, odd_rectangle(), o, &method_so_ssph, plain);
-            state_update(&two.a, two.u, UPDATES, two.Y);
-            for (o.lanes = 4; o.lanes <= options_lanes_most(); o.lanes *= 2) {
-                struct made wide;
-                make(&wide, odd_rectangle(), o, &method_so_ssph, plain);
-                assert_int_equal(wide.a.lanes, o.lanes);
-                state_update(&wide.a, wide.u, UPDATES, wide.Y);
-                assert_same_bits(&wide, &two);
-                made_free(&wide);
+    static const int threads[] = {1, 2, 3, 7, 1000};
+    for (int dim = 2; dim <= 3; dim++)
+        for (const double *h = widths[dim - 1]; *h > 0; h++)
+            for (int plain = 0; plain < 2; plain++) {
+                struct options o = {.dx = dim == 2 ? 0.02 : 0.05, .h = *h, .lanes = 2};
+                struct made apart;
+                make(&apart, odd_body(dim), o, &method_so_ssph, plain);
+                for (int k = 0; k < UPDATES; k++) state_update(&apart.a, &apart.u[k], 1, apart.Y);
+                for (o.lanes = 2; o.lanes <= options_lanes_most(); o.lanes *= 2)
+                    for (size_t t = 0; t < sizeof threads / sizeof *threads; t++) {
+                        struct made m;
+                        make(&m, odd_body(dim), o, &method_so_ssph, plain);
+                        m.a.threads = threads[t];
+                        assert_int_equal(m.a.lanes, o.lanes);
+                        state_update(&m.a, m.u, UPDATES, m.Y);
+                        assert_same_bits(&m, &apart);
+                        made_free(&m);
+                    }
+                made_free(&apart);
             }
-            made_free(&two);
-        }
 }
 
 /* ---- Rods with rows: bands ---- */
@@ -352,12 +348,9 @@ static void subnormal_numbers_are_zero_in_a_sweep(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plane_sweep_equals_its_definition),
-        cmocka_unit_test(composed_sweep_equals_its_definition),
-        cmocka_unit_test(rod_sweep_equals_its_definition),
-        cmocka_unit_test(sharing_a_sweep_changes_no_bit),
-        cmocka_unit_test(threads_change_no_bit),
-        cmocka_unit_test(the_width_of_vectors_changes_no_bit),
+        cmocka_unit_test(sweeps_equal_their_definition),
+        cmocka_unit_test(other_stencils_equal_their_definition),
+        cmocka_unit_test(sharing_changes_no_bit),
         cmocka_unit_test(banded_rows_equal_csr_rows),
         cmocka_unit_test(fused_updates_of_rows_equal_single_updates),
         cmocka_unit_test(wavefront_applies_updates_in_order),
