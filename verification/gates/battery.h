@@ -17,15 +17,17 @@ extern const char *const battery_profile_words[]; /* ended by NULL */
 struct battery_row {
     int orders; /* 1, 2 or 4 of the code, or several: 1 | 2 */
     const char *id, *measure;
-    const char *run;    /* verb and scene */
-    const char *sets;   /* NAME=VALUE of the scene's parameters, blanks between */
-    const char *rungs;  /* further options */
-    const char *ranges; /* ranges for random draws: NAME=LO:HI of the scene's parameters, offset=LO:HI in K of the
-                           scene, and `cross`: the image is that of the scene's other rows with x and y exchanged and
-                           both reversed (a rod: reversed; a box: each axis moved to the next and reversed), so that
-                           one draw covers both orientations; or `opposite`: with each axis reversed alone, so that
-                           each corner of the case has opposite corners of the scene in two rows */
-    int line;           /* line of battery.def with the row's bounds */
+    const char *run;   /* verb and scene */
+    const char *sets;  /* NAME=VALUE of the scene's parameters, blanks between */
+    const char *rungs; /* further options */
+    const char
+        *ranges; /* ranges for random draws: NAME=LO:HI of the scene's parameters, offset=LO:HI in K of the
+                    scene, and `cross`: the image is that of the scene's other rows with x and y exchanged and
+                    both reversed (a rod: reversed; a box: each axis moved to the next and reversed), so that
+                    one draw covers both orientations; `turned`: each axis of a box moved to the one after
+                    next, so that three rows of one draw have each wall on each axis; or `opposite`: with each axis
+                    reversed alone, so that each corner of the case has opposite corners of the scene in two rows */
+    int line;    /* line of battery.def with the row's bounds */
     const char *why;
 };
 

@@ -94,12 +94,15 @@ double ceiling_harmonic_mean(const struct experiment *e) {
 }
 
 double ceiling_five_point_on_faces(const struct experiment *e) {
+    static const char *const halves[] = {"a", "b", "c"};
     struct experiment faces = *e;
     struct failure ignored;
     struct problem p = {0};
+    const double face = 2 * e->options.dx;
     memcpy(p.param, e->problem.param, sizeof p.param);
     for (int i = 0; e->scene->params[i].name; i++)
-        if (strcmp(e->scene->params[i].name, "a") == 0) p.param[i] = e->scene->params[i].value;
+        for (int k = 0; k < 3; k++)
+            if (strcmp(e->scene->params[i].name, halves[k]) == 0) p.param[i] = face * round(p.param[i] / face);
     if (e->scene->setup(&p, &ignored)) return NAN;
     faces.problem = p;
     return ceiling_five_point(&faces, 0);

@@ -23,7 +23,7 @@ double ceiling_harmonic_pairs(const struct experiment *e);
 double ceiling_worst(const struct experiment *e);
 
 /* The error of the five-point difference (seven points in space; rings and shells in round bodies) at the larger of
- * dx and dy.  largest: 1 for the largest error, K.  On faces: with a jump at its place in the scene. */
+ * dx and dy.  largest: 1 for the largest error, K.  On faces: with the jumps moved to the nearest faces. */
 double ceiling_five_point(const struct experiment *e, int largest);
 double ceiling_five_point_on_faces(const struct experiment *e);
 double ceiling_harmonic_mean(const struct experiment *e); /* with harmonic means, for k that depends on T */

@@ -195,7 +195,7 @@ double ceiling_blind(const struct experiment *e, double off, double half) {
 
 /* ---- Codes of any kind ---- */
 
-/* Means over cell centres of |T|, |T_x| + |T_y| and |T_xx + T_yy|, by differences of step dx/8. */
+/* Means over cell centres of |T|, |T_x| + |T_y| + |T_z| and |lap T|, by differences of step dx/8. */
 struct means {
     double T, gradient, laplacian;
 };
@@ -203,22 +203,26 @@ struct means {
 static struct means means_of(const struct experiment *e) {
     const struct problem *p = &e->problem;
     const double dx = e->options.dx, d = dx / 8;
-    const int n = (int)round((p->hi[0] - p->lo[0]) / dx),
-              rows = p->dim == 2 ? (int)round((p->hi[1] - p->lo[1]) / dx) : 1;
+    int n[DIM_MAX] = {1, 1, 1}, cells = 1;
+    for (int a = 0; a < p->dim; a++) cells *= n[a] = (int)round((p->hi[a] - p->lo[a]) / dx);
     struct snapshot s = snapshot_take(e->scene, p, p->t_end);
     struct means mean = {0};
-    for (int k = 0; k < n * rows; k++) {
-        double x[2] = {p->lo[0] + (k % n + 0.5) * dx, p->dim == 2 ? p->lo[1] + (k / n + 0.5) * dx : 0};
-        double T = snapshot_at(&s, x).temperature, laplacian = 0;
+    for (int k = 0; k < cells; k++) {
+        const int at[DIM_MAX] = {k % n[0], k / n[0] % n[1], k / n[0] / n[1]};
+        double x[DIM_MAX] = {0}, laplacian = 0;
+        for (int a = 0; a < p->dim; a++) x[a] = p->lo[a] + (at[a] + 0.5) * dx;
+        double T = snapshot_at(&s, x).temperature;
         for (int a = 0; a < p->dim; a++) {
-            double lo[2] = {x[0], x[1]}, hi[2] = {x[0], x[1]};
-            lo[a] -= d, hi[a] += d;
-            double below = snapshot_at(&s, lo).temperature, above = snapshot_at(&s, hi).temperature;
-            laplacian += (below - 2 * T + above) / (d * d), mean.gradient += fabs(above - below) / (2 * d);
+            double middle = x[a], beside[2];
+            for (int side = 0; side < 2; side++)
+                x[a] = middle + (side ? d : -d), beside[side] = snapshot_at(&s, x).temperature;
+            x[a] = middle;
+            laplacian += (beside[0] - 2 * T + beside[1]) / (d * d);
+            mean.gradient += fabs(beside[1] - beside[0]) / (2 * d);
         }
         mean.T += fabs(T), mean.laplacian += fabs(laplacian);
     }
-    mean.T /= n * rows, mean.gradient /= n * rows, mean.laplacian /= n * rows;
+    mean.T /= cells, mean.gradient /= cells, mean.laplacian /= cells;
     snapshot_free(&s);
     return mean;
 }

@@ -31,12 +31,12 @@ static double between(gsl_rng *r, double lo, double hi) {
 }
 
 /* Draws one of 2 images of a rod, 8 of a rectangle or 48 of a box. */
-static struct mapping draw_map(unsigned long seed, const char *scene, int dim, int cross) {
+static struct mapping draw_map(unsigned long seed, const char *scene, int dim, int cross, int turned) {
     gsl_rng *r = generator(seed, scene, "");
     struct mapping m = {.axes = dim};
     for (int a = 0; a < dim; a++) m.against[a] = (int)gsl_rng_uniform_int(r, 2) != cross;
     int turn = dim == 2 ? (int)gsl_rng_uniform_int(r, 2) != cross : 0, back = 0;
-    if (dim == 3) turn = (int)gsl_rng_uniform_int(r, 3) + cross, back = (int)gsl_rng_uniform_int(r, 2);
+    if (dim == 3) turn = (int)gsl_rng_uniform_int(r, 3) + cross + 2 * turned, back = (int)gsl_rng_uniform_int(r, 2);
     for (int a = 0; a < dim; a++) m.from[a] = (turn + (back ? dim - a : a)) % dim;
     gsl_rng_free(r);
     return m;
@@ -52,7 +52,7 @@ static int draw_ranges(const char *ranges, gsl_rng *r, char *command, double *of
         char name[32];
         double lo, hi;
         int used = 0;
-        if (strncmp(at, "cross", 5) == 0 || strncmp(at, "opposite", 8) == 0) {
+        if (strncmp(at, "cross", 5) == 0 || strncmp(at, "turned", 6) == 0 || strncmp(at, "opposite", 8) == 0) {
             at += strcspn(at, " ");
             continue;
         }
@@ -114,7 +114,8 @@ int battery_command(const struct battery_row *row, unsigned long seed, char comm
             words_add(command, BATTERY_COMMAND, " --set %.*s", (int)strcspn(at, " "), at);
     if (seed) {
         gsl_rng *r = generator(seed, scene, row->ranges);
-        m = draw_map(seed, scene, dimension_of(scene_find(scene), row->sets), has_word(row->ranges, "cross"));
+        m = draw_map(seed, scene, dimension_of(scene_find(scene), row->sets), has_word(row->ranges, "cross"),
+                     has_word(row->ranges, "turned"));
         for (int a = 0; a < m.axes && has_word(row->ranges, "opposite"); a++) m.against[a] = !m.against[a];
         int status = draw_ranges(row->ranges, r, command, &offset, why);
         double scale = exp2(between(r, -1, 1));

@@ -153,3 +153,18 @@ void measures_repeat(const struct command *r, double lo, double hi, struct measu
         m->verdict = VERDICT_INCONCLUSIVE;
     }
 }
+
+void measures_digits(const struct command *r, double lo, double hi, struct measured *m) {
+    enum { MANY = 10 };
+    struct result result;
+    struct field f = {0};
+    struct diagnosis d;
+    if (!measures_run(&r->experiment, &result, &f, m)) {
+        struct field given = program_as_given(&r->experiment.program, &f, NULL);
+        int few = diagnosis_rounding(&given, 0, 1, &d);
+        measures_judge(m, few ? d.size : MANY, lo, hi);
+        if (few) measures_diagnosed(m, &d);
+        field_free(&given);
+    }
+    field_free(&f);
+}

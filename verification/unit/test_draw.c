@@ -46,7 +46,8 @@ static void draws_lie_within_their_ranges(void **state) {
             int used;
             for (const char *at = row->ranges; *at; at += strspn(at, " ")) {
                 if (sscanf(at, "%31[A-Za-z0-9_]=%lf:%lf%n", name, &lo, &hi, &used) != 3) {
-                    assert_true(strncmp(at, "cross", 5) == 0 || strncmp(at, "opposite", 8) == 0);
+                    assert_true(strncmp(at, "cross", 5) == 0 || strncmp(at, "turned", 6) == 0 ||
+                                strncmp(at, "opposite", 8) == 0);
                     at += strcspn(at, " ");
                     continue;
                 }
@@ -221,6 +222,34 @@ static void both_axes_have_a_contact(void **state) {
     }
 }
 
+/* Rows of boxes: every kind of wall on every axis, an interface across every axis, and a column along every axis. */
+static void every_draw_has_each_wall_on_each_axis(void **state) {
+    (void)state;
+    for (unsigned long seed = 1; seed <= 50; seed++) {
+        int walls[DIM_MAX][ROBIN + 1] = {{0}}, interface[DIM_MAX] = {0}, column[DIM_MAX] = {0};
+        for (const struct battery_row *row = battery_table; row->orders; row++) {
+            struct command r;
+            struct image image;
+            if (strncmp(row->id, "space/", 6) != 0) continue;
+            parse(row, seed, &r);
+            mapping_image(&r.experiment.program.map, &r.experiment.problem, &image);
+            const struct problem *p = &image.problem;
+            int manufactured = strcmp(r.experiment.scene->name, "box-manufactured") == 0;
+            if (p->materials == 2) interface[image.interface_axis]++;
+            for (int s = 0; s < 2 * p->dim && manufactured; s++) walls[s / 2][p->side[s]]++;
+            for (int a = 0; a < p->dim; a++) column[a] += p->hi[a] - p->lo[a] > 1.9;
+            command_free(&r);
+        }
+        for (int a = 0; a < DIM_MAX; a++) {
+            assert_int_equal(interface[a], 1);
+            assert_order(column[a], >, 0);
+            if (!walls[a][DIRICHLET] || !walls[a][NEUMANN] || !walls[a][ROBIN])
+                fail_msg("seed %lu, axis %d: %d held, %d flux, %d cooled", seed, a, walls[a][DIRICHLET],
+                         walls[a][NEUMANN], walls[a][ROBIN]);
+        }
+    }
+}
+
 static void invalid_ranges_are_refused(void **state) {
     (void)state;
     static const char *const wrong[] = {"kappa", "kappa=1", "kappa=2:1", "kappa=a:b", "=1:2"};
@@ -243,6 +272,7 @@ int main(void) {
         cmocka_unit_test(fluxes_are_named_by_sides_of_the_case),
         cmocka_unit_test(both_axes_have_a_contact),
         cmocka_unit_test(seeds_draw_the_maps_of_a_box),
+        cmocka_unit_test(every_draw_has_each_wall_on_each_axis),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
