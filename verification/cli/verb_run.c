@@ -3,6 +3,7 @@
 #include "verification/cli/verb.h"
 
 #include "references/snapshot.h"
+#include "solver/shape.h"
 #include "verification/text/output.h"
 #include "verification/text/json.h"
 #include "verification/judge/memory.h"
@@ -36,8 +37,20 @@ static void print_cost(const struct result *r) {
     putchar('\n');
 }
 
+/* Whether no heat crosses the walls and no source makes any. */
+static int keeps_heat(const struct problem *p) {
+    double lo = 0, hi = 0, x[DIM_MAX];
+    for (int a = 0; a < DIM_MAX; a++) x[a] = p->lo[a] + 0.3 * (p->hi[a] - p->lo[a]);
+    for (int s = 0; s < 2 * p->dim; s++) {
+        if (!shape_has_wall(p, s) || p->side[s] == PERIODIC) continue;
+        if (p->side[s] != NEUMANN) return 0;
+        problem_wall_range(p, (enum side)s, shape_foot(p, s, x).x, &lo, &hi);
+    }
+    return lo == 0 && hi == 0 && !p->source && !p->source_rate && !p->source_at;
+}
+
 /* unit: of --quantity */
-static void print_text(const struct result *r, const char *unit) {
+static void print_text(const struct result *r, const struct problem *p, const char *unit) {
     char what[240];
     result_describe(r, what, sizeof what);
     printf("%s\n", what);
@@ -58,7 +71,8 @@ static void print_text(const struct result *r, const char *unit) {
     else
         printf("%.2e above and %.2e below the range of start and walls\n", r->shape.overshoot, r->shape.undershoot);
     if (!isnan(r->shape.checkerboard)) printf("  %-14s %.2e K\n", "checkerboard", r->shape.checkerboard);
-    if (isfinite(r->heat_drift)) printf("  %-14s %.2e of the heat at the start\n", "heat drift", r->heat_drift);
+    if (isfinite(r->heat_drift) && keeps_heat(p))
+        printf("  %-14s %.2e of the heat at the start\n", "heat drift", r->heat_drift);
     print_cost(r);
     if (r->search_updates > 0)
         printf("  %-14s %lld updates of other runs, to choose the time step\n", "search", r->search_updates);
@@ -114,7 +128,7 @@ static int act(const void *options, struct failure *why) {
         if (!status) result_warn(&result);
     }
     if (!status && r->field_path) status = write_field(r, &field, why);
-    if (!status) print_text(&result, quantity_unit(&e.quantity, &e.problem));
+    if (!status) print_text(&result, &e.problem, quantity_unit(&e.quantity, &e.problem));
     if (!status && r->json_path) status = write_json(&result, r->json_path, why);
     field_free(&field);
     return status;
