@@ -86,6 +86,16 @@ ROWS
     [[ "$output" == *"1 gates declared, 0 executed"*"1 skipped"* ]]
 }
 
+@test "a FILE of - is standard output, with nothing else; folders that are missing are made" {
+    [ "$(heatladder run rod-gauss ftcs --dx 1 --field - 2>/dev/null | head -n 1)" = x,T,exact ]
+    [ "$(heatladder verify --only symmetry/none --json - 2>/dev/null | head -c 1)" = "{" ]
+    expect 2 'standard output takes one file' heatladder verify --only symmetry/none --json - --junit -
+    [ ! -e - ]
+    expect 0 'gates declared' heatladder verify --only symmetry/none --json a/b/gates.json --page c/d/page.html
+    [ -s a/b/gates.json ] && [ -s c/d/page.html ]
+    expect 0 '1 case' heatladder case rod-gauss --dx 1 --into e/f/cases
+}
+
 @test "a pipe that nobody writes to is refused, not waited for" {
     mkfifo pipe
     expect 2 '' timeout 10 heatladder verify --gates pipe

@@ -17,11 +17,13 @@
 #include "verification/solve/scratch.h"
 #include "verification/text/output.h"
 #include "verification/text/shell.h"
+#include "verification/text/whole_file.h"
 
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 const char program_help[] =
@@ -207,6 +209,34 @@ static int check_case(const struct program *g, const char *dir, const struct sce
     return status;
 }
 
+static int are_same(const char *path, const char *other) {
+    struct stat is, of;
+    size_t size[2];
+    if (stat(path, &is) || stat(other, &of) || is.st_size != of.st_size) return 0;
+    char *bytes[] = {whole_file_at(path, &size[0]), whole_file_at(other, &size[1])};
+    int same = bytes[0] && bytes[1] && size[0] == size[1] && memcmp(bytes[0], bytes[1], size[0]) == 0;
+    for (int k = 0; k < 2; k++) free(bytes[k]);
+    return same;
+}
+
+/* Refuses an answer that is also there for another spacing. */
+static int check_copied(const struct program *g, const char *path, const struct scene *s, const struct options *o,
+                        struct failure *why) {
+    char dir[RESULTS_PATH], other[RESULTS_PATH + 16];
+    struct options with = *o;
+    struct numbers dx;
+    struct failure ignored;
+    if (results_of_scene(g->results, s, g->setting, dir) || results_list(dir, &dx, &ignored)) return STATUS_OK;
+    for (int i = 0; i < dx.count; i++) {
+        with.dx = dx.value[i];
+        if (with.dx == o->dx || place_below(g, g->results, s, &with, dir)) continue;
+        if (case_run_answer(dir, other, sizeof other) && are_same(path, other))
+            return refuse(why, STATUS_INPUT, "%.200s: the same file as %.200s, which is the answer for dx = %g m",
+                          path, other, with.dx);
+    }
+    return STATUS_OK;
+}
+
 static int solve_later(const struct program *g, const struct scene *s, const struct problem *p,
                        const struct options *o, struct field *f, struct failure *why) {
     char dir[RESULTS_PATH], path[RESULTS_PATH + 16];
@@ -217,6 +247,7 @@ static int solve_later(const struct program *g, const struct scene *s, const str
     if (!answered && code > 0)
         return refuse(why, STATUS_NUMERICAL, "%.300s: the program ended with exit status %d (%.300s/log)", path, code,
                       dir);
+    if (answered && check_copied(g, path, s, o, why)) return why->status;
     if (check_case(g, dir, s, p, o, why) || read_answer(g, path, path, p, o, f, why)) return why->status;
     f->cost.seconds = f->cost.step_seconds;
     return STATUS_OK;

@@ -137,6 +137,20 @@ static void an_edited_case_is_refused(void **state) {
     }
 }
 
+/* The answer for 0.25 m in the place of that for 0.5 m. */
+static void an_answer_of_a_finer_rung_is_refused(void **state) {
+    (void)state;
+    char command[4 * UNIT_PATH], line[400];
+    struct ladder l;
+    snprintf(command, sizeof command, "cp %s/rod-gauss/0.25/out.csv %s/rod-gauss/0.50/out.csv", dir, dir);
+    assert_int_equal(system(command), 0);
+    snprintf(line, sizeof line, "ladder rod-gauss mine --results %s", dir);
+    climb(line, &l, STATUS_INPUT);
+    assert_has(l.rung[1].failure.text, "0.50/out.csv: the same file as ");
+    run_all();
+    climb(line, &l, 0);
+}
+
 /* dy is written to the case and read from it; 20 by 7 cells of 0.05 m by 0.1 m, for which 19 by 6 points are the
  * minimum. */
 static void a_second_spacing_is_kept(void **state) {
@@ -250,13 +264,10 @@ static void vary_sets_a_parameter_of_the_program(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(judging_later_gives_the_same_verdicts),
-        cmocka_unit_test(missing_answers_are_listed),
-        cmocka_unit_test(cases_are_added_without_replacing_others),
-        cmocka_unit_test(an_edited_case_is_refused),
-        cmocka_unit_test(a_second_spacing_is_kept),
-        cmocka_unit_test(spacings_are_along_the_axes_of_the_case),
-        cmocka_unit_test(draws_are_judged_later),
+        cmocka_unit_test(judging_later_gives_the_same_verdicts),    cmocka_unit_test(missing_answers_are_listed),
+        cmocka_unit_test(cases_are_added_without_replacing_others), cmocka_unit_test(an_edited_case_is_refused),
+        cmocka_unit_test(an_answer_of_a_finer_rung_is_refused),     cmocka_unit_test(a_second_spacing_is_kept),
+        cmocka_unit_test(spacings_are_along_the_axes_of_the_case),  cmocka_unit_test(draws_are_judged_later),
         cmocka_unit_test(vary_sets_a_parameter_of_the_program),
     };
     char command[UNIT_PATH + 32];
