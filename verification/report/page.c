@@ -143,7 +143,9 @@ int page_gates_write(const struct gates *g, const char *title, const char *comma
     fprintf(out, "</table></div></details>\n");
     put_end(command, out);
     page_data_write(g, command, output_open(&page[1], "%s", data));
-    return output_close(page, 2, why);
+    int alone = strcmp(path, "-") == 0; /* standard output takes one file */
+    if (alone) output_drop(&page[1], 1);
+    return output_close(page, alone ? 1 : 2, why);
 }
 
 int page_ladder_write(const struct ladder *l, const struct diagnosis *d, const char *command, const char *path,

@@ -217,6 +217,21 @@ static void overshoot_counts_the_warmest_place_of_a_wall(void **state) {
     field_free(&f);
 }
 
+/* T is 1 % off: neither sum is representable where T is near the largest number, or near the smallest. */
+static void sums_do_not_overflow(void **state) {
+    (void)state;
+    enum { N = 7 };
+    static const double scale[] = {1.5e308, 1, 3e-307};
+    for (int k = 0; k < 3; k++) {
+        double T[N], exact[N], w[N];
+        for (int i = 0; i < N; i++) exact[i] = scale[k] * (i + 1) / N, T[i] = 0.99 * exact[i], w[i] = 1 + 0.1 * i;
+        struct field f = {.dim = 1, .n = N, .T = T, .weight = w};
+        struct norms_error e = norms_error(&f, exact, NORMS_ALL, NULL);
+        assert_near(e.l1, 0.01, 1e-12);
+        assert_near(e.l2, 0.01, 1e-12);
+    }
+}
+
 static void heat_drifts_relative_to_its_size(void **state) {
     (void)state;
     struct field f = {.heat = {-2, -1.5}};
@@ -314,6 +329,7 @@ int main(void) {
         cmocka_unit_test(overshoot_counts_the_walls),
         cmocka_unit_test(overshoot_counts_the_warmest_place_of_a_wall),
         cmocka_unit_test(variation_in_the_plane_is_over_the_other_spacing),
+        cmocka_unit_test(sums_do_not_overflow),
         cmocka_unit_test(heat_drifts_relative_to_its_size),
         cmocka_unit_test(checkerboard_amplitude_of_a_pure_mode),
         cmocka_unit_test(checkerboard_amplitude_in_the_plane),
