@@ -3,4 +3,3 @@ set xlabel 'x  [m]'
 set ylabel 'T  [K]' offset 1
 set xrange [-2:2]
 set yrange [-1:11]
-set key top right

@@ -1,5 +1,6 @@
 # Style of every figure.  A script sets `name` (and `wide`, `high` if they differ) and loads this file, which sets
-# `data`, the file to plot; the output is written beside it:
+# `data`, the file to plot; the output is written beside it.  The key is below the plot, `keys` rows of it (1 by
+# default); a figure of 640 pixels is one column of the page, a wider one is both.
 #
 #     gnuplot -e "out='reports/out'; kind='svg'" reports/song/song_fig1b.gp        (kind: svg or png)
 #
@@ -7,8 +8,8 @@
 if (!exists("out")) out = 'reports/out'
 if (!exists("to")) to = out
 if (!exists("kind")) kind = 'svg'
-if (!exists("wide")) wide = 820
-if (!exists("high")) high = 560
+if (!exists("wide")) wide = 640
+if (!exists("high")) high = 540
 
 if (!exists("data")) data = sprintf('%s/%s.csv', out, name)
 # SVG counts fonts in pixels (3/4 point each) and draws points larger.
@@ -28,13 +29,18 @@ set datafile separator comma
 # The head of the data file.
 heading = system(sprintf("sed -n 's/^# title: //p' '%s'", data))
 commands = int(system(sprintf("grep -c '^# command: ' '%s'", data)))
-caption = system(sprintf("sed -n 's/^# command: //p' '%s' | head -n %d", data, commands > 2 ? 1 : 2))
 # The value of an option in the first of its commands.
 option(name) = system(sprintf("sed -n '/^# command: /{s/.* --%s \\([^ ]*\\).*/\\1/p;q;}' '%s'", name, data))
+fold(columns, text) = system(sprintf("fold -s -w %d <<'END'\n%s\nEND", columns, text))
+caption = fold(wide / 6.3, system(sprintf("sed -n 's/^# command: //p' '%s' | head -n %d", data, commands > 2 ? 1 : 2)))
 if (commands > 2) caption = caption . sprintf("\nand %d more, in the head of %s.csv", commands - 1, name)
-set title heading noenhanced font size_of(13)
-set label 99 caption at screen 0.012, screen 0.05 left noenhanced font size_of(8.5) textcolor rgb '#555555'
-set bmargin at screen 115.0 / high
+lines = int(system(sprintf("wc -l <<'END'\n%s\nEND", caption)))
+foot = 8 + 14.5 * lines # pixels of the caption
+if (!exists("keys")) keys = 1
+heading = fold(wide / 8.0, heading)
+set title heading noenhanced font size_of(11)
+set label 99 caption at screen 0.012, screen (foot - 10.0) / high left noenhanced font size_of(8.5) textcolor rgb '#555555'
+set bmargin at screen (foot + 25 * keys + 66) / high
 
 # Okabe & Ito's palette, distinguishable with colour-vision deficiency; each colour has its own point and dash.
 BLACK = '#000000'; ORANGE = '#E69F00'; SKY = '#56B4E9'; GREEN = '#009E73'
@@ -55,4 +61,5 @@ set border lw 0.8
 set tics nomirror out scale 0.7
 set grid xtics ytics ls 98
 set key samplen 2.5 spacing 1.25 noopaque noenhanced
+if (wide <= 640) { set key at screen 0.5, screen (foot + 25.0 * keys + 4) / high center top horizontal Left reverse }
 eval sprintf("set key font '%s'", size_of(10))

@@ -1,13 +1,13 @@
 # Pamplona 2019, Figure 7b
 name = 'pamplona_fig7b'
-wide = 1080
+high = 620
+keys = 8
 load 'reports/figure/style.gp'
-eval sprintf("set key font '%s'", size_of(10.5))
 set xrange [0.0038:0.0103]
 set yrange [0.9:2.5]
 set xlabel 'h  [m]'
 set ylabel 'ξ  [m]' offset 1
-set key outside right top Left reverse
+set key vertical maxrows 8
 plot data index 'moment' using 1:2 with lines lc rgb BLACK lw 1.3 dt 1 title 'lattice moment × ((n+4)/n)²', \
      data index 'lag' using 1:2 with lines lc rgb GREY lw 1.3 dt 2 title 'and × ((n+1)/n)², the lag of fixed ghosts', \
      data index 'published' using 1:2 with lines lc rgb ORANGE lw 1.6 dt 4 title '9 h^{1/3} (published fit)' enhanced, \

@@ -1,5 +1,6 @@
 # Song 2018, Figure 1c (the paper's text does not name its four times)
 name = 'song_fig1c'
+keys = 2
 load 'reports/figure/style.gp'
 load 'reports/figure/rod.gp'
 plot data index 'exact 0.5' using 1:2 with lines ls 1 title 'exact', \

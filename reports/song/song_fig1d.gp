@@ -1,5 +1,6 @@
 # Song 2018, Figure 1d
 name = 'song_fig1d'
+keys = 2
 load 'reports/figure/style.gp'
 load 'reports/figure/rod.gp'
 plot data index 'exact' using 1:2 with lines ls 1 title 'exact', \

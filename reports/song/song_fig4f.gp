@@ -1,5 +1,6 @@
 # Song 2018, Figure 4f
 name = 'song_fig4f'
+keys = 2
 load 'reports/figure/style.gp'
 load 'reports/figure/rod.gp'
 plot data index 'exact 1' using 1:2 with lines ls 1 title 'exact', \
