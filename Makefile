@@ -268,20 +268,22 @@ check: test
 test: $(TESTS) all examples ## Run the unit tests and, where bats is installed, the tests of the shell
 	$(Q)PROGRAM=$(abspath $(BUILD)/heatladder) EXAMPLES=$(abspath $(BUILD)/examples) scripts/run_tests $(SHELL_TESTS) $(TESTS)
 
-verify: $(BUILD)/heatladder ## Run every gate, then the papers' claims, then write the report, to reports/out; the first failure's status
-	@mkdir -p $(OUT)/claims
-	$(Q)gates=0 claims=0 report=0; \
+verify: $(BUILD)/heatladder ## Run every gate, the papers' claims and a brief benchmark, then write the report, to reports/out; the first failure's status
+	@mkdir -p $(OUT)/claims $(OUT)/brief
+	$(Q)gates=0 claims=0 bench=0 report=0; \
 	$(BUILD)/heatladder verify --json $(OUT)/gates.json --junit $(OUT)/junit.xml --page $(OUT)/gates.html || gates=$$?; \
 	$(BUILD)/heatladder report claims $(OUT)/claims || claims=$$?; \
+	$(BUILD)/heatladder bench --brief $(OUT)/brief >$(OUT)/brief/bench.txt || bench=$$?; \
 	$(MAKE) --no-print-directory report || report=$$?; \
-	for status in $$gates $$claims $$report; do [ $$status -eq 0 ] || exit $$status; done
+	for status in $$gates $$claims $$bench $$report; do [ $$status -eq 0 ] || exit $$status; done
 
 ##@ Tables and figures
 
 # Tables and the data of figures need no gnuplot; the stamp is as old as they are.
 OUT     := reports/out
 SCRIPTS := $(wildcard reports/*/*_fig*.gp)
-FIGURES := $(addprefix $(OUT)/,$(notdir $(SCRIPTS:.gp=.svg)) $(if $(wildcard $(OUT)/gates.csv),gates.svg))
+FIGURES := $(addprefix $(OUT)/,$(notdir $(SCRIPTS:.gp=.svg)) $(if $(wildcard $(OUT)/gates.csv),gates.svg) \
+  $(if $(wildcard $(OUT)/brief/bench.json),brief.svg))
 
 report: $(OUT)/report.stamp ## Write the papers' tables beside the measured ones, draw their figures, and join all in reports/out/index.html
 	$(Q)if command -v gnuplot >/dev/null; then $(MAKE) --no-print-directory figures; \
@@ -299,11 +301,12 @@ figures: $(FIGURES)
 # scripts/plot replaces whole figures: an interrupted make keeps the old ones.
 .PRECIOUS: $(FIGURES)
 
-vpath %.gp $(sort $(dir $(SCRIPTS))) reports/index
+vpath %.gp $(sort $(dir $(SCRIPTS))) reports/index reports/bench
 $(OUT)/%.svg: %.gp $(wildcard reports/figure/*.gp) $(OUT)/report.stamp
 	@echo "  PLOT  $(@:.svg=)"
 	$(Q)scripts/plot $(OUT) $<
 $(OUT)/gates.svg: $(OUT)/gates.csv
+$(OUT)/brief.svg: $(OUT)/brief/bench.json
 
 # Studies, each with its data and figures.
 stability: ## Measure where methods fail and draw it, to reports/out

@@ -1,47 +1,46 @@
-# Measured and expected order, one row per scene; then the errors of the methods against dx, one plot per scene.
+# Each order in the band of its own gate, a row a scene; then the errors of the methods against dx, one plot per scene.
 name = 'gates'
-wide = 1080; high = 560
+wide = 640; high = 680
+keys = 2
 load 'reports/figure/style.gp'
 scenes = ''
 stats data index 'groups' using (scenes = scenes . strcol(2) . ' ', $1) name 'ROW' nooutput
-stats data index 'orders' using 4 name 'ORDER' nooutput
-stats data index 'orders' using 3 name 'HIGH' nooutput
-row(place) = floor(place + 0.5)
-unset title
+# The place in a band: -1 at its lower end, 1 at its upper one.
+in_band(order) = (2 * order - column(2) - column(3)) / (column(3) - column(2))
+place(order) = in_band(order) < -2.2 ? -2.2 : in_band(order) > 2.2 ? 2.2 : in_band(order)
+expected(low, high) = floor((low + high) / 2 + 0.5)
+set title heading.', a row a scene' font size_of(11)
 unset label 99
-unset bmargin
-set margins screen 0.155, screen 0.985, screen 0.15, screen 0.93
+set margins screen 0.265, screen 0.975, screen 0.185, screen 0.925
 set yrange [ROW_max + 0.6:-0.6]
-left = ORDER_min - 0.25
-right = (HIGH_max > ORDER_max ? HIGH_max : ORDER_max) + 0.1
-set xrange [left:right]
-set x2range [left:right]
-set xtics 1 nomirror
-set x2tics 1
-set mxtics 2
-set ytics scale 0
-set grid xtics noytics
+set xrange [-2.3:2.3]
+set xtics ('below' -2, 'lowest' -1, 'middle' 0, 'highest' 1, 'above' 2) nomirror
+eval sprintf("set ytics scale 0 font '%s'", size_of(9))
+set grid noxtics noytics
 set errorbars 0
-set label 98 'order  [-]' at screen 0.14, screen 0.105 right
-set key at screen 0.57, screen 0.025 center bottom Left reverse vertical maxrows 1 samplen 2
+set xlabel 'order measured, in the band of the gate  [half widths]' offset 0, 0.3
+set object 1 rectangle from first -1, graph 0 to first 1, graph 1 behind fillcolor rgb '#e6e6e6' fillstyle solid noborder
+set key at screen 0.5, screen 0.088 center top vertical maxrows 2 Left reverse samplen 1.5 width 2
+array MARK[4] = [8, 6, 2, 4]
+array INK[4] = [RED, BLUE, GREEN, PURPLE]
+array NAME[4] = ['order 1', 'order 2', '', 'order 4']
 plot data index 'groups' using (0):1:ytic(2) with points pt 0 lc rgb 'white' notitle, \
-     data index 'orders' using 4:(row($1)):2:3:(row($1) - 0.42):(row($1) + 0.42) with boxxyerror \
-         fs solid noborder lc rgb '#dcdcdc' notitle, \
-     data index 'orders' using 4:1:5:6 with xerrorbars pt 0 lw 1 lc rgb '#555555' notitle, \
-     data index 'orders' using ($7 == 1 ? $4 : NaN):1 with points pt 6 ps P lw 1.6 lc rgb BLUE notitle, \
-     data index 'orders' using ($7 == 1 ? NaN : $4):1 with points pt 2 ps 1.6 * P lw 2.6 lc rgb RED notitle, \
-     keyentry with boxes fs solid noborder lc rgb '#dcdcdc' title 'expected', \
-     keyentry with points pt 6 ps P lw 1.6 lc rgb BLUE title 'measured', \
-     keyentry with lines lw 1 lc rgb '#555555' title '95 % interval', \
-     keyentry with points pt 2 ps 1.6 * P lw 2.6 lc rgb RED title 'measured, gate fails'
+     data index 'orders' using (place($4)):1:(place($5)):(place($6)) with xerrorbars pt 0 lw 0.8 lc rgb '#888888' notitle, \
+     for [p in '1 2 4'] data index 'orders' using (expected($2, $3) == int(p) && $7 == 1 ? place($4) : NaN):1 \
+         with points pt MARK[int(p)] ps 0.75 * P lw 1.3 lc rgb INK[int(p)] notitle, \
+     data index 'orders' using ($7 == 1 ? NaN : place($4)):1 with points pt 2 ps 1.6 * P lw 2.6 lc rgb RED notitle, \
+     for [p in '1 2 4'] keyentry with points pt MARK[int(p)] ps P lw 1.3 lc rgb INK[int(p)] title NAME[int(p)], \
+     keyentry with lines lw 0.8 lc rgb '#888888' title '95 % interval', \
+     keyentry with boxes fs solid noborder lc rgb '#e6e6e6' title 'passes', \
+     keyentry with points pt 2 ps 1.6 * P lw 2.6 lc rgb RED title 'fails'
 
 # One plot per scene.  Axes are logarithmic with labels at 1, 2 and 5, over more than two decades at powers of ten.
-unset x2tics
-unset label 98
+unset object 1
 set ytics scale 0.7
 set mxtics 1
 set mytics 1
 set grid xtics ytics
+eval sprintf("set ytics font '%s'", size_of(10.5))
 set xlabel 'dx  [m]' offset 0, 0.4
 set ylabel 'E1  [-]' offset 0.5
 array COLOUR[8] = [BLUE, RED, GREEN, PURPLE, ORANGE, BLACK, SKY, RED]
@@ -93,7 +92,9 @@ do for [scene in scenes] {
             tics = tics . sprintf("'%s' %s.0e%d, ", text, m, d)
         } }
         eval 'set ytics (' . tics . '1e99)'
-        keys = (methods + 2 + (out_of_fit > 0)) / 2
+        # One column of the key where names are long.
+        longest = int(system(sprintf("awk -F, '/^# %s [0-9]$/ { getline; if (length($2) > n) n = length($2) } END { print n + 0 }' '%s'", scene, data)))
+        keys = longest > 30 ? methods + 1 + (out_of_fit > 0) : (methods + 2 + (out_of_fit > 0)) / 2
         high = 440 + 24 * keys
         set terminal svg size 640, high enhanced dashed font 'DejaVu Sans,14' background rgb 'white' linewidth 1
         set output sprintf('%s/scene_%s.svg', to, scene)

@@ -17,11 +17,12 @@ static const struct part {
     const char *section;
     const char *file; /* below the directory: .svg with its data in .csv, .html, or a text */
     int folded;
-    const char *text;    /* content */
+    const char *text;    /* content; "" for a text that speaks for itself */
     const char *command; /* command that writes it */
 } parts[] = {
-    {"Verdict", "gates.html", 0, "The gates", "make verify"},
-    {"Verdict", "gates.svg", 0, "Order reached and order expected, a row a scene, a marker a ladder", "make verify"},
+    {"Verdict", "gates.html", 0, "", "make verify"},
+    {"Charts", "gates.svg", 0, "The order of each ladder in the band of its own gate, a row a scene", "make verify"},
+    {"Charts", "brief.svg", 0, "Error against wall time, every method with its best stepper", "make verify"},
     {"Error against time", "bench/error_time.svg", 0,
      "Error against wall time on square-step, one thread, median of 5 runs: each method, and so_ssph with each "
      "stepper",
@@ -77,8 +78,18 @@ static int ends_in(const char *name, const char *ending) {
     return n > k && strcmp(name + n - k, ending) == 0;
 }
 
+/* Figures of more than one column's width stand alone in their row. */
+enum { COLUMN = 640 };
+
+static int width_of(const char *path) {
+    char head[512] = "", *at = NULL;
+    FILE *in = fopen(path, "r");
+    if (in) at = fread(head, 1, sizeof head - 1, in) > 0 ? strstr(head, "width=\"") : NULL, fclose(in);
+    return at ? atoi(at + strlen("width=\"")) : 0;
+}
+
 static void put_figure(const struct part *part, const char *path, FILE *out) {
-    fprintf(out, "<figure>");
+    fprintf(out, width_of(path) > COLUMN ? "<figure class=\"wide\">" : "<figure>");
     html_image(out, path, part->text);
     html_print(out, "<figcaption>%s. <code>%s</code></figcaption></figure>\n", part->text, part->command);
 }
@@ -103,13 +114,13 @@ static int put_part(const struct part *part, const char *dir, FILE *out) {
         if (part->folded) fprintf(out, "</details>\n");
         return 1;
     }
-    html_print(out, part->folded ? "<details><summary>%s</summary>\n" : "<h3>%s</h3>\n", part->text);
+    if (*part->text) html_print(out, part->folded ? "<details><summary>%s</summary>\n" : "<h3>%s</h3>\n", part->text);
     if (ends_in(part->file, ".html"))
         html_include(out, path);
     else
         put_text(path, out);
     if (part->folded) fprintf(out, "</details>\n");
-    html_print(out, "<p class=\"faint\"><code>%s</code></p>\n", part->command);
+    if (*part->text) html_print(out, "<p class=\"faint\"><code>%s</code></p>\n", part->command);
     return 1;
 }
 

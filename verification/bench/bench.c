@@ -20,7 +20,11 @@
 
 /* In the order of struct candidate, the options last. */
 #define CANDIDATE(label, method, dim, steps, ...)                                                                    \
-    { label, method, {__VA_ARGS__}, dim, steps }
+    { label, method, {__VA_ARGS__}, dim, steps, BENCH_LONG }
+#define BOTH(label, method, dim, ...)                                                                                \
+    { label, method, {__VA_ARGS__}, dim, 0, BENCH_BOTH }
+#define BRIEF(method)                                                                                                \
+    { method " exact", method, {EXACT}, 0, 0, BENCH_BRIEF }
 #define EXACT .stepper = STEPPER_EXACT
 #define EULER .stepper = STEPPER_EULER
 #define RKL2 .stepper = STEPPER_RKL2
@@ -34,19 +38,19 @@
 #define JITTER .layout = LAYOUT_JITTER, .jitter = 0.2
 /* Other operators have larger errors for the same work on a lattice (gates/gates.def). */
 const struct candidate bench_candidates[] = {
-    CANDIDATE("so_ssph matched, cubic kernel", "so_ssph", 2, 0, MATCHED, SPLINE, .h_iso = 1),
+    BOTH("so_ssph matched, cubic kernel", "so_ssph", 2, MATCHED, SPLINE, .h_iso = 1),
     CANDIDATE("so_ssph matched, quartic kernel", "so_ssph", 2, 0, MATCHED, SPLINE, .h_iso = 1, QUARTIC),
-    CANDIDATE("so_ssph matched, cubic kernel", "so_ssph", 1, 0, MATCHED, SPLINE, .h = 1.05),
+    BOTH("so_ssph matched, cubic kernel", "so_ssph", 1, MATCHED, SPLINE, .h = 1.05),
     CANDIDATE("so_ssph matched, cell samples", "so_ssph", 1, 0, MATCHED, CELL, .h = 1.05),
     CANDIDATE("ftcs matched", "ftcs", 1, 0, MATCHED, SPLINE),
-    CANDIDATE("so_ssph exact, h/dx 0.9", "so_ssph", 0, 0, EXACT, .h = 0.9),
+    BOTH("so_ssph exact, h/dx 0.9", "so_ssph", 0, EXACT, .h = 0.9),
     CANDIDATE("so_ssph exact, cell samples", "so_ssph", 0, 0, EXACT, CELL),
     CANDIDATE("so_ssph exact, quartic kernel, h/dx 1.3", "so_ssph", 0, 0, EXACT, QUARTIC, .h = 1.3),
     CANDIDATE("so_ssph exact, wendland kernel, h/dx 1.3", "so_ssph", 0, 0, EXACT, WENDLAND, .h = 1.3),
     CANDIDATE("so_ssph of order 4, exact", "so_ssph", 0, 0, EXACT, .order = 4),
-    CANDIDATE("brookshaw exact", "brookshaw", 0, 0, EXACT),
-    CANDIDATE("fatehi_manzari exact, h/dx 0.9", "fatehi_manzari", 0, 0, EXACT, .h = 0.9),
-    CANDIDATE("ftcs at F = 1/6", "ftcs", 0, 0, EULER, .fourier = 1.0 / 6),
+    BOTH("brookshaw exact", "brookshaw", 0, EXACT),
+    BOTH("fatehi_manzari exact, h/dx 0.9", "fatehi_manzari", 0, EXACT, .h = 0.9),
+    BOTH("ftcs at F = 1/6", "ftcs", 0, EULER, .fourier = 1.0 / 6),
     CANDIDATE("brookshaw chebyshev, series mean", "brookshaw", 0, 0, CHEBYSHEV, SERIES),
     CANDIDATE("contact_ssph chebyshev, h/dx 0.7, cell samples", "contact_ssph", 1, 0, CHEBYSHEV, CELL, .h = 0.7),
     CANDIDATE("so_ssph rkl2", "so_ssph", 0, 0.125, RKL2, CELL),
@@ -56,8 +60,17 @@ const struct candidate bench_candidates[] = {
     CANDIDATE("so_ssph euler, dt = 5e-5 s (Song)", "so_ssph", 0, 0, EULER, .h = 1.05, .dt = 5e-5),
     CANDIDATE("so_ssph jittered by 0.2 dx, rkl2", "so_ssph", 0, 0.125, RKL2, JITTER),
     CANDIDATE("fatehi_manzari jittered by 0.2 dx, rkl2", "fatehi_manzari", 0, 0.125, RKL2, JITTER),
-    CANDIDATE("fo_ssph exact", "fo_ssph", 0, 0, EXACT),
-    CANDIDATE("ftcs_flux at F = 0.2", "ftcs_flux", 0, 0, EULER, .fourier = 0.2),
+    BOTH("fo_ssph exact", "fo_ssph", 0, EXACT),
+    BOTH("ftcs_flux at F = 0.2", "ftcs_flux", 0, EULER, .fourier = 0.2),
+    BRIEF("brookshaw_corrected"),
+    BRIEF("schwaiger"),
+    BRIEF("cspm"),
+    BRIEF("kernel_second"),
+    BRIEF("flux_divergence"),
+    BRIEF("conjugate"),
+    BRIEF("positive"),
+    BRIEF("voronoi_flux"),
+    BRIEF("contact_ssph"),
     {0}};
 
 /* Whether n square cells along x tile the domain with every jump on a face; for a round body, whether rings of the
@@ -223,17 +236,22 @@ static int on_front(const struct bench_scene *b, const struct bench_row *row, in
     return 1;
 }
 
-void bench_run(const struct experiment *e, double seconds, struct bench_scene *b) {
+/* 1 for a candidate of a benchmark of that length in that dimension. */
+static int takes_part(const struct candidate *c, enum bench_length length, int dim) {
+    return (c->in == length || c->in == BENCH_BOTH) && (!c->dim || c->dim == dim);
+}
+
+void bench_run(const struct experiment *e, enum bench_length length, double seconds, struct bench_scene *b) {
     int unit = bench_candidate_unit(&e->problem);
     *b = (struct bench_scene){.scene = e->scene};
     int count = 0;
-    while (bench_candidates[count].label) count++;
+    for (const struct candidate *c = bench_candidates; c->label; c++) count += takes_part(c, length, e->problem.dim);
     double begin = omp_get_wtime();
     int left = count;
     struct progress progress = progress_start("candidates", count);
-    for (const struct candidate *c = bench_candidates; c->label && unit; c++, left--) {
-        if (!c->dim || c->dim == e->problem.dim)
-            bench_climb(c, e, unit, (seconds - (omp_get_wtime() - begin)) / left, b);
+    for (const struct candidate *c = bench_candidates; c->label && unit; c++) {
+        if (!takes_part(c, length, e->problem.dim)) continue;
+        bench_climb(c, e, unit, (seconds - (omp_get_wtime() - begin)) / left--, b);
         progress_tick(&progress);
     }
     progress_end(&progress);

@@ -12,12 +12,16 @@ struct experiment;
 
 /* Combinations of method and options whose error depends on dx alone. */
 
+/* A brief one has every method with its best stepper on a lattice. */
+enum bench_length { BENCH_LONG, BENCH_BOTH, BENCH_BRIEF };
+
 struct candidate {
     const char *label;
     const char *method;
     struct options options; /* dx left open */
     int dim;                /* 1 or 2: for that dimension only; 0: for both */
     double steps;           /* > 0: 10 time steps and this number for each particle along x */
+    enum bench_length in;   /* the benchmark that it is part of */
 };
 
 enum { CANDIDATE_UNIT_MAX = 1024 };
@@ -77,8 +81,9 @@ const char *bench_outcome(const struct bench_row *row);
 void bench_climb(const struct candidate *c, const struct experiment *e, int unit, double seconds,
                  struct bench_scene *b);
 
-/* Fills *b within `seconds`; *e holds the scene, set up.  Runs one after another on one thread. */
-void bench_run(const struct experiment *e, double seconds, struct bench_scene *b);
+/* Fills *b within `seconds` with the candidates of a long or a brief benchmark; *e holds the scene, set up.  Runs one
+ * after another on one thread. */
+void bench_run(const struct experiment *e, enum bench_length length, double seconds, struct bench_scene *b);
 
 /* Median and extremes of `count` times, which are sorted. */
 struct bench_time bench_summary(double *seconds, int count);

@@ -13,12 +13,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double SECONDS = 4; /* a scene; all scenes and the charts take a minute */
+static const double SECONDS = 4;                       /* a scene; all scenes and the charts take a minute */
+static const double BRIEF[DIM_MAX + 1] = {0, 1, 3, 6}; /* by dimension */
+static const char *const brief[] = {"rod-step", "square-step", "cube-step", NULL};
 
 struct bench_options {
     struct command command;
     const char *scene;     /* the one scene; NULL: all */
     const char *json_path; /* NULL for none */
+    int brief;
 };
 
 /* The files of one run, kept until all can be written together. */
@@ -35,7 +38,10 @@ static int bench_one(const struct bench_options *given, const struct scene *s, s
     scene_defaults(s, &e.problem);
     if (s->setup(&e.problem, why)) return why->status;
     struct bench_scene *b = xcalloc(1, sizeof *b);
-    bench_run(&e, SECONDS, b);
+    if (given->brief)
+        bench_run(&e, BENCH_BRIEF, BRIEF[e.problem.dim], b);
+    else
+        bench_run(&e, BENCH_LONG, SECONDS, b);
     json_object(j, NULL);
     bench_print_scene_json(b, j);
     json_end(j);
@@ -60,7 +66,8 @@ static int bench_scenes(const struct bench_options *r, FILE *out, struct files *
     fflush(stdout);
     json_array(&j, "scenes");
     for (int i = 0; scenes[i] && !status; i++)
-        if (!only || scenes[i] == only) status = bench_one(r, scenes[i], &j, files, why);
+        if (only ? scenes[i] == only : !r->brief || words_index(brief, names[i]) >= 0)
+            status = bench_one(r, scenes[i], &j, files, why);
     json_end(&j);
     json_end(&j);
     return status;
@@ -89,6 +96,9 @@ static int act(const void *options, struct failure *why) {
 
 #define PLACE(member) OPTION_PLACE(bench_options, member)
 static const struct option own[] = {{"scene", "SCENE", "run only this scene", option_text, PLACE(scene)},
+                                    {"brief", NULL,
+                                     "a rod, a square and a cube, every method with its best stepper: ten seconds",
+                                     option_flag, PLACE(brief)},
                                     JSON_OPTION(PLACE(json_path), "the measurements"),
                                     {0}};
 

@@ -66,20 +66,24 @@ static const char *tally_word(struct gates_tally t) {
     return t.failed ? "fail" : t.passed < t.judged || t.judged == 0 ? "inconclusive" : "pass";
 }
 
+/* A verdict that is not a pass stands out: the one tick of the page is that of all. */
+static void put_other(const char *word, FILE *out) {
+    if (strcmp(word, "pass") != 0) html_verdict(out, word);
+}
+
 static void put_groups(const struct gates *g, FILE *out) {
-    fprintf(out, "<ul class=\"groups\">\n");
+    fprintf(out, "<details><summary>By group</summary>\n<ul class=\"groups\">\n");
     for (int i = 0; i < g->declared; i++) {
         const char *id = g->result[i].gate.id;
         if (!gates_begins_group(g, i)) continue;
         struct gates_tally t = gates_tally(g, id);
         fprintf(out, "<li>");
         html_bytes(out, id, gates_group_length(id));
-        if (t.judged) fprintf(out, " %d/%d", t.passed, t.judged);
-        fputc(' ', out);
-        html_verdict(out, t.judged ? tally_word(t) : "skipped");
+        if (t.judged) fprintf(out, " %d/%d ", t.passed, t.judged);
+        put_other(t.judged ? tally_word(t) : "skipped", out);
         fprintf(out, "\n");
     }
-    fprintf(out, "</ul>\n");
+    fprintf(out, "</ul></details>\n");
 }
 
 static void put_gate(const struct gate_result *r, FILE *out) {
@@ -95,7 +99,7 @@ static void put_gate(const struct gate_result *r, FILE *out) {
     else if (!isnan(gate->ceiling))
         snprintf(error, sizeof error, "%.3g, at most %.3g", r->measured.error, gate->ceiling);
     html_print(out, "<tr><td>%s</td><td>", gate->id);
-    html_verdict(out, verdict_words[r->measured.verdict]);
+    put_other(verdict_words[r->measured.verdict], out);
     fprintf(out, "</td>");
     html_cell(out, band);
     html_cell(out, value);

@@ -10,7 +10,7 @@
 #include <string.h>
 
 enum { WORD = 80, METHODS = 8 /* curves of a scene */ };
-static const double SPREAD = 0.64;       /* rows */
+static const double SPREAD = 0.72;       /* rows */
 static const char subject[] = "so_ssph"; /* the first curve */
 
 /* The two words after "ladder": 1, or 0 where the gate has no ladder with an order. */
@@ -28,13 +28,13 @@ static double middle(const struct gate_result *r) {
     return (r->gate.lo + r->gate.hi) / 2;
 }
 
-/* The offset of the gate i from the row of its scene: ladders of one expected order are spread over the row. */
+/* The offset of the gate i from the row of its scene: its ladders are spread over the row. */
 static double offset(const struct gates *g, int i, const char *scene) {
     int before = 0, all = 0;
     for (int k = 0; k < g->declared; k++) {
-        if (!is_of(&g->result[k], scene) || fabs(middle(&g->result[k]) - middle(&g->result[i])) > 0.5) continue;
-        before += k < i;
-        all++;
+        int same = is_of(&g->result[k], scene);
+        before += same && k < i;
+        all += same;
     }
     return all > 1 ? SPREAD * (before / (all - 1.0) - 0.5) : 0;
 }
@@ -98,25 +98,45 @@ static int choose(const struct gates *g, const char *scene, const struct gate_re
     return n;
 }
 
-static void put_errors(const struct gate_result *r, const char *scene, int k, FILE *out) {
+/* Curves on top of each other: the same x, errors within 3 %. */
+static int coincides(const struct gate_result *a, const struct gate_result *b) {
+    const struct rungs *l = &a->measured.rungs, *m = &b->measured.rungs;
+    int apart = l->n != m->n;
+    for (int i = 0; i < l->n && !apart; i++) {
+        int drawn = l->error[i] > 0;
+        apart = fabs(l->x[i] / m->x[i] - 1) > 1e-6 || drawn != (m->error[i] > 0) ||
+                (drawn && fabs(l->error[i] / m->error[i] - 1) > 0.03);
+    }
+    return !apart;
+}
+
+/* The curve k, with the names of the later ones that it coincides with; they are set to NULL. */
+static void put_errors(const struct gate_result *chosen[METHODS], int n, int k, int block, const char *scene,
+                       FILE *out) {
+    const struct gate_result *r = chosen[k];
     const struct rungs *l = &r->measured.rungs;
     char of[WORD], method[WORD];
     words_of(r, of, method);
-    fprintf(out, "\n\n# %s %d\n%s,%s%s,counts,expected order\n", scene, k, l->axis, method,
-            is_high(r) ? " of order 4" : "");
+    fprintf(out, "\n\n# %s %d\n%s,%s", scene, block, l->axis, method);
+    for (int i = k + 1; i < n; i++) {
+        if (!chosen[i] || !coincides(r, chosen[i])) continue;
+        words_of(chosen[i], of, method);
+        fprintf(out, " = %s", method);
+        chosen[i] = NULL;
+    }
+    fprintf(out, "%s,counts,expected order\n", is_high(r) ? " of order 4" : "");
     for (int i = 0; i < l->n; i++)
         if (l->error[i] > 0) fprintf(out, "%.6g,%.6e,%d,%.0f\n", l->x[i], l->error[i], l->counts[i], middle(r));
 }
 
 void page_data_write(const struct gates *g, const char *command, FILE *out) {
-    fprintf(out,
-            "# title: Order reached and order expected, a row a scene, a marker a ladder\n# command: heatladder %s\n",
-            command);
+    fprintf(out, "# title: Order of each ladder in the band of its gate\n# command: heatladder %s\n", command);
     put_orders(g, out);
     put_groups(g, out);
     for (int s = 0; scenes[s]; s++) {
         const struct gate_result *chosen[METHODS];
-        int n = choose(g, scenes[s]->name, chosen);
-        for (int k = 0; k < n; k++) put_errors(chosen[k], scenes[s]->name, k + 1, out);
+        int n = choose(g, scenes[s]->name, chosen), block = 0;
+        for (int k = 0; k < n; k++)
+            if (chosen[k]) put_errors(chosen, n, k, ++block, scenes[s]->name, out);
     }
 }

@@ -162,7 +162,7 @@ static void front_is_pareto_optimal(void **state) {
     struct command r;
     struct failure why;
     if (command_read("run rod-cosine ftcs --dx 0.1", &r, &why)) fail_msg("%s", why.text);
-    bench_run(&r.experiment, 0.2, &b);
+    bench_run(&r.experiment, BENCH_LONG, 0.2, &b);
     int fronts = 0, ran = 0;
     for (const struct bench_row *p = b.row; p < b.row + b.count; p++) {
         int beaten[2] = {0, 0};
@@ -200,6 +200,16 @@ static void scenes_of_each_dimension_are_timed(void **state) {
     }
 }
 
+static void brief_benchmark_has_every_method(void **state) {
+    (void)state;
+    for (const struct method *const *m = methods; *m; m++) {
+        int in = 0;
+        for (const struct candidate *c = bench_candidates; c->label; c++)
+            in += c->in != BENCH_LONG && method_find(c->method) == *m;
+        if (!in) fail_msg("%s has no candidate", (*m)->name);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tables_list_fronts_and_refused_candidates),
@@ -207,6 +217,7 @@ int main(void) {
         cmocka_unit_test(json_has_every_row),
         cmocka_unit_test(machine_line_lists_vector_flags),
         cmocka_unit_test(front_is_pareto_optimal),
+        cmocka_unit_test(brief_benchmark_has_every_method),
         cmocka_unit_test(scenes_of_each_dimension_are_timed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -185,26 +185,27 @@ static void failures_have_cause_and_command(void **state) {
     assert_has(page, "# rod-step 1\ndx [m],so_ssph,counts,expected order\n0.5,4.000000e-02,0,2\n");
 }
 
-/* One curve a method and one more of order 4, the subject's first. */
+/* One curve a method and one more of order 4, the subject's first; curves on top of each other are named together. */
 static void plots_have_one_curve_per_method(void **state) {
     (void)state;
-    static const char *const method[] = {"ftcs", "so_ssph", "ftcs", "fo_ssph", "ftcs"};
-    struct gate_result r[5];
-    for (int i = 0; i < 5; i++) {
+    static const char *const method[] = {"ftcs", "so_ssph", "ftcs", "fo_ssph", "ftcs", "cspm"};
+    struct gate_result r[6];
+    for (int i = 0; i < 6; i++) {
         r[i] = failed_ladder();
+        if (i < 5) r[i].measured.rungs.error[2] *= 1 + 0.1 * i; /* cspm as the first ftcs */
         snprintf(r[i].typed, sizeof r[i].typed, "ladder rod-step %s --dx 1", method[i]);
         r[i].gate.id = method[i];
     }
     r[3].measured.rungs.norm = "L2";
     r[4].gate.lo = 3.8, r[4].gate.hi = 4.2;
     FILE *out = begin();
-    page_data_write(&(struct gates){.declared = 5, .result = r}, "verify", out);
+    page_data_write(&(struct gates){.declared = 6, .result = r}, "verify", out);
     fclose(out);
     assert_has(text, "# rod-step 1\ndx [m],so_ssph,");
-    assert_has(text, "# rod-step 2\ndx [m],ftcs,");
+    assert_has(text, "# rod-step 2\ndx [m],ftcs = cspm,");
     assert_has(text, "# rod-step 3\ndx [m],ftcs of order 4,");
     assert_lacks(text, "# rod-step 4");
-    assert_has(text, "\n0.32,1.875,2.125,1.5,1.5,1.5,0,fo_ssph\n");
+    assert_has(text, "\n0.072,1.875,2.125,1.5,1.5,1.5,0,fo_ssph\n");
 }
 
 static const char *ladder_page(const char *line) {
