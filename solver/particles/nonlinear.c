@@ -310,18 +310,25 @@ static void apply(struct run *r, const double *T, double t, double *out) {
     r->applications++;
 }
 
+/* older becomes stage j; L of the stage before it. */
+static void combine_stage(const struct stage *g, double dt, size_t n, const double *restrict T,
+                          const double *restrict newer, const double *restrict L, const double *restrict L0,
+                          double *restrict older) {
+    const double rest = 1 - g->newer - g->older, rate = dt * g->rate;
+    for (size_t i = 0; i < n; i++)
+        older[i] = g->newer * newer[i] + g->older * older[i] + rest * T[i] + rate * (L[i] - g->first * L0[i]);
+}
+
 /* A step of s stages, from L_0 in state[2]. */
 static void advance_step(struct run *r, int s) {
     double *newer = r->state[0], *older = r->state[1];
-    const double *L0 = r->state[2], *L = r->state[3];
+    const double *L0 = r->state[2];
     struct stage g = r->stepper->stage(s, 1);
     for (size_t i = 0; i < r->n; i++) older[i] = r->T[i], newer[i] = r->T[i] + g.rate * r->dt * L0[i];
     for (int j = 2; j <= s; j++) {
         g = r->stepper->stage(s, j);
         apply(r, newer, r->t + g.time * r->dt, r->state[3]);
-        for (size_t i = 0; i < r->n; i++)
-            older[i] = g.newer * newer[i] + g.older * older[i] + (1 - g.newer - g.older) * r->T[i] +
-                       r->dt * g.rate * (L[i] - g.first * L0[i]);
+        combine_stage(&g, r->dt, r->n, r->T, newer, r->state[3], L0, older);
         double *swap = newer;
         newer = older, older = swap;
     }
@@ -421,8 +428,8 @@ int nonlinear_solve(const struct method *m, const struct problem *p, const struc
     struct field f = {0};
     int rows;
     if (!operations[operation_of(m->scheme)])
-        return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; use so_ssph, fo_ssph, brookshaw or ftcs", m->name,
-                      problem_nonlinearity(p));
+        return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; use so_ssph, fo_ssph%s", m->name, problem_nonlinearity(p),
+                      p->k_law ? ", brookshaw or ftcs" : " or brookshaw");
     if (particles_prepare(p, given, m->scheme, &o, &l, &rows, why)) return why->status;
     if (o.stepper == STEPPER_AUTO) o.stepper = stepper_auto(1, o.dt > 0 || o.fourier > 0, 0);
     int status = conduction_create(&c, p, &o, m->scheme, &l, why);
