@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Clouds of a box and lattices in a ball: images at faces, edges and corners, neighbours, rows that keep quadratics
+/* Clouds of a box and lattices in a ball: images at faces, edges and corners, rows that keep quadratics
  * and heat, walls that cut the lattice, exchange of axes. */
 
 #include "solver/space/assembly.h"
@@ -98,7 +98,7 @@ static double at(const struct problem *p, const struct cloud *c, size_t i) {
     return p->initial(p, x);
 }
 
-/* ---- images and neighbours ---- */
+/* ---- images ---- */
 
 static void images_continue_quadratics_at_faces_edges_and_corners(void **state) {
     (void)state;
@@ -139,32 +139,6 @@ static void corner_ghosts_take_the_mean_of_all_orders(void **state) {
     const double from[3] = {0.47, 0.66, 0.02}, ghost[3] = {0.53, 0.74, -0.02};
     /* first and last reflection have one sign, the second the other: 2 (1 - 1 + 1)/3 of each */
     assert_near(layout_ghost_offset(&p, WALLS_MIRROR, NULL, side, ghost, from), 2.0 / 3 * (0.8 - 0.23 + 0.57), 1e-15);
-}
-
-static void cell_search_equals_all_pairs(void **state) {
-    (void)state;
-    static const double radius[] = {0.03, 0.117, 0.22, 0.41};
-    struct problem p = body(0, mixed, &flat);
-    struct options o = jittered(0.43);
-    struct cloud c;
-    make(&p, &o, "so_ssph", &c, NULL);
-    for (int k = 0; k < 4; k++) {
-        static uint32_t near[NEIGHBOURS_MAX];
-        struct neighbours nb;
-        neighbours_create(&nb, &c, radius[k]);
-        for (size_t i = 0; i < c.total; i += 7) {
-            size_t n = neighbours_find(&nb, i, near, NEIGHBOURS_MAX), want = 0, sum = 0, ids = 0;
-            for (size_t j = 0; j < c.total; j++) {
-                double dx = c.x[j] - c.x[i], dy = c.y[j] - c.y[i], dz = c.z[j] - c.z[i];
-                if (j != i && sqrt(dx * dx + dy * dy + dz * dz) < radius[k]) want++, ids += j;
-            }
-            for (size_t m = 0; m < n; m++) sum += near[m];
-            assert_int_equal(n, want);
-            assert_int_equal(sum, ids);
-        }
-        neighbours_free(&nb);
-    }
-    layout_cloud_free(&c);
 }
 
 static int by_place(const void *a, const void *b) {
@@ -487,7 +461,6 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(images_continue_quadratics_at_faces_edges_and_corners),
         cmocka_unit_test(corner_ghosts_take_the_mean_of_all_orders),
-        cmocka_unit_test(cell_search_equals_all_pairs),
         cmocka_unit_test(one_seed_gives_one_cloud_to_all_operators),
         cmocka_unit_test(quadratics_are_steady_on_jittered_boxes),
         cmocka_unit_test(flux_across_two_materials_is_steady),

@@ -10,7 +10,7 @@
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
 
-enum { MOST = 300 };
+enum { MOST = 400 };
 
 static int ascending(const void *a, const void *b) {
     uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
@@ -19,8 +19,13 @@ static int ascending(const void *a, const void *b) {
 
 static size_t all_pairs(const struct cloud *c, size_t i, double radius, uint32_t *out) {
     size_t n = 0;
-    for (size_t j = 0; j < c->total; j++)
-        if (j != i && hypot(c->x[j] - c->x[i], c->y[j] - c->y[i]) < radius * (1 - 1e-9)) out[n++] = (uint32_t)j;
+    for (size_t j = 0; j < c->total; j++) {
+        double x[DIM_MAX], y[DIM_MAX];
+        layout_cloud_place(c, i, x);
+        layout_cloud_place(c, j, y);
+        double r = hypot(hypot(y[0] - x[0], y[1] - x[1]), y[2] - x[2]);
+        if (j != i && r < radius * (1 - 1e-9)) out[n++] = (uint32_t)j;
+    }
     return n;
 }
 
@@ -33,7 +38,7 @@ static void as_all_pairs(struct problem p, double jitter, double radius) {
     assert_int_equal(layout_lattice(&p, &o, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&p, &o, &l, 0.21, &c, &why), STATUS_OK);
     neighbours_create(&nb, &c, radius);
-    for (size_t i = 0; i < c.total; i += 3) {
+    for (size_t i = 0; i < c.total; i += p.dim == 3 ? 41 : 3) {
         uint32_t got[MOST], want[MOST];
         size_t n = neighbours_find(&nb, i, got, MOST), expected = all_pairs(&c, i, radius, want);
         assert_int_equal(n, expected);
@@ -54,6 +59,8 @@ static void cell_search_equals_all_pairs(void **state) {
     narrow.hi[0] = narrow.lo[0] + 0.3, flat.hi[1] = flat.lo[1] + 0.3;
     as_all_pairs(narrow, 0.43, 0.2); /* fewer cells along x than along y */
     as_all_pairs(flat, 0.43, 0.2);
+    static const double radius[] = {0.015, 0.058, 0.11, 0.155};
+    for (int k = 0; k < 4; k++) as_all_pairs(odd_box(), 0.43, radius[k]);
 }
 
 static void neighbours_without_room_are_counted(void **state) {
