@@ -5,7 +5,7 @@
  * Near a wall the constant of the expansion about particle i is an unknown, as in modified SPH (Zhang & Batra 2004,
  * Comput. Mech. 34:137).  A quadratic q is fitted to the nearby particles and particle i itself, with the kernel as
  * weight, and at the nearest point of each wall within the support, with ten times the weight at distance 0, to
- *   Dirichlet  q = T_w,   Neumann  q_n = g/k,   Robin  (q_n + (b/k) q) = (b/k) T_a,
+ *   given T_w  q = T_w,   given flux g  q_n = g/k,   exchange b (T_a - T)  q_n + (b/k) q = (b/k) T_a,
  * with slopes in units of h.  Then
  *   dT_i/dt = sum_a kappa_a q_aa + sigma (q(x_i) - T_i),   sigma = 2 sum_a kappa_a/h^2,
  * where sigma is close to the rate of an inner particle's own weight (3.5 kappa/h^2 on a square lattice, 2.3 on a

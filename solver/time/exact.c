@@ -304,11 +304,10 @@ static int needs(const struct problem *p, const struct options *o, const struct 
     (void)p, (void)o, (void)s;
     for (int side = 0; side < 2 * l->dim; side++)
         if (l->sign[side] == LAYOUT_RECURRENCE && l->n[side / 2] > TRANSFORM_TABLE_MOST)
-            return refuse(
-                why, STATUS_NOT_APPLICABLE,
-                "--stepper exact: %d particles along an axis with a Robin wall; its modes need a table of n x n, "
-                "at most %d",
-                l->n[side / 2], TRANSFORM_TABLE_MOST);
+            return refuse(why, STATUS_NOT_APPLICABLE,
+                          "--stepper exact: %d particles along an axis with a wall that exchanges heat; its modes "
+                          "need a table of n x n, at most %d",
+                          l->n[side / 2], TRANSFORM_TABLE_MOST);
     for (int a = 0; a < l->dim; a++)
         if (l->shift[2 * a] > 0 && l->shift[2 * a + 1] > 0 && l->n[a] < 2)
             return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs two particles along an insulated axis");

@@ -15,7 +15,7 @@ double amplification_interval(const struct amplification *a) {
 }
 
 static int stable(const struct amplification *a, double complex z) {
-    return cabs(amplification_factor(a, z)) <= 1 + 1e-12; /* round-off: |G| of RKL2 reaches 1 inside its interval */
+    return cabs(amplification_factor(a, z)) <= 1 + 1e-12; /* round-off: |G| may reach 1 inside its interval */
 }
 
 /* Limit along a ray from 0: steps fine enough for every lobe of P_s, then bisection. */

@@ -36,8 +36,8 @@ double model_problem_kappa_y(const struct model_problem *b); /* relative to kapp
 /* The problem: sides of n m, kappa 1 m^2/s along x, t_end 1 s; `disturb`, K, is for MODEL_HILL. */
 struct problem model_problem_setup(const struct model_problem *b, enum model_problem_data data, double disturb);
 
-/* `steps` steps of F = dt kappa/dx^2 by the method's own solve (RKL2: by stepper_march, since a run chooses its own
- * stages). *largest is the final max |T|.  STATUS_UNSTABLE if T leaves its bounds. */
+/* `steps` steps of F = dt kappa/dx^2 by the method's own solve (with given stages: by stepper_march, since a run
+ * chooses its own). *largest is the final max |T|.  STATUS_UNSTABLE if T leaves its bounds. */
 int model_problem_run(const struct model_problem *b, const struct problem *p, double F, long long steps,
                       double *largest, struct failure *why);
 
