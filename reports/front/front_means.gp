@@ -26,7 +26,7 @@ set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5
 set xrange [0.005:0.12]
 set yrange [1e-4:1]
 set xtics (0.00625, 0.0125, 0.025, 0.05, 0.1)
-set key at graph 0.02, graph 0.6 left
+set key at graph 0.02, graph 0.83 left top Left reverse
 plot for [k = 1:3] data index 'error, '.word(means, k) using 1:2 with linespoints lc rgb word(colours, k) \
         pt int(word('7 9 5', k)) ps 0.9 * P lw (k == 3 ? 2.4 : 1.2) title word(means, k), \
     0.7 * x**1.5 with lines lc rgb GREY dt 2 title 'slope 3/2'

@@ -30,7 +30,7 @@ unset ylabel
 set format y ''
 set title 'SO-SSPH' font size_of(11) offset 0,-0.6
 set colorbox user origin screen 0.575, screen 0.21 size screen 0.012, screen 0.65
-set cblabel '|T_n − T_e|  [K]' offset -0.5
+set cblabel '|T_n − T_e|  [K]' offset 1
 plot data index 'slice, so_ssph' using 1:2:3 with image
 unset colorbox
 set size noratio
