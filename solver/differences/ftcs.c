@@ -6,8 +6,7 @@
  * A rod, a rectangle, a box, a disc, a ring and a ball are grids of the same kind (ftcs.h): cells in rows along three
  * axes, faces between each cell and the next one along an axis (ftcs_grid.c, ftcs_round.c).  One function has the
  * conductance of a face (ftcs_face.c), another the ghost beyond a wall (ftcs_walls.c), and one sweep adds them all up
- * (ftcs_step.c).  What else a face conducts, such as the heat of a cross term or through a resistance, belongs to its
- * conductance or its flux.
+ * (ftcs_step.c).  A contact resistance is a further term of a conductance, a cross term a further flux of a face.
  *
  * With C_f of one material in a box this is
  *
@@ -108,14 +107,14 @@ static int solve(const struct method *m, const struct problem *p, const struct o
 
 const struct method method_ftcs = {
     .name = "ftcs",
-    .about = "finite differences, (T[i+1] - 2 T[i] + T[i-1])/dx^2, Euler: Song eq. 5, Pamplona eq. 16",
+    .about = "finite differences, (T[i+1] - 2 T[i] + T[i-1])/dx^2: Song eq. 5, Pamplona eq. 16",
     .accepts = "stepper layout sampling walls mean",
     .solve = solve,
 };
 
 const struct method method_ftcs_flux = {
     .name = "ftcs_flux",
-    .about = "finite differences through the heat fluxes, (q[i+1] - q[i-1])/(2 dx), Euler: Song eq. 6",
+    .about = "finite differences through the heat fluxes, (q[i+1] - q[i-1])/(2 dx): Song eq. 6",
     .accepts = "stepper layout sampling walls",
     .solve = solve,
 };

@@ -30,7 +30,7 @@ struct ftcs_grid {
     const char *method;        /* name for messages */
     int round, changes;        /* 1 for a round body; 1 if walls or source change */
     int reach;                 /* distance of neighbours in cells: 1, with fluxes 2 */
-    int width;                 /* of vectors: 0, 1, 2 for 2, 4, 8 doubles */
+    int width;                 /* 0, 1, 2 for vectors with 2, 4, 8 doubles */
     int n[DIM_MAX];            /* cells by axis; 1 past dim */
     double first[DIM_MAX];     /* coordinate of the first cell */
     double d[DIM_MAX];         /* spacing; 1 past dim */
@@ -73,7 +73,7 @@ int ftcs_plan(struct ftcs_grid *g, const char *method, int fluxes, const struct 
 void ftcs_fill(struct ftcs_grid *g);
 void ftcs_free(struct ftcs_grid *g, int keep_T);   /* keep_T: all arrays except T */
 void ftcs_set_time(struct ftcs_grid *g, double t); /* data of walls and source that change */
-void ftcs_place(const struct ftcs_grid *g, const int i[DIM_MAX], double x[DIM_MAX]);    /* of a cell, m */
+void ftcs_place(const struct ftcs_grid *g, const int i[DIM_MAX], double x[DIM_MAX]);    /* m, centre of a cell */
 void ftcs_point(const struct ftcs_grid *g, const double u[DIM_MAX], double x[DIM_MAX]); /* from grid coordinates */
 double ftcs_volume(const struct ftcs_grid *g, const int i[DIM_MAX]);
 double ftcs_heat(const struct ftcs_grid *g);

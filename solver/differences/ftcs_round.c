@@ -63,7 +63,7 @@ double ftcs_round_face(const struct ftcs_grid *g, int axis, const int i[DIM_MAX]
 
 struct ftcs_modes {
     fftw_plan to, from; /* along the rays, of all cells and ghosts of a sheet */
-    double *ratio;      /* of elimination, by ring and band */
+    double *ratio;      /* by ring and band, for the elimination */
 };
 
 void ftcs_round_make(struct ftcs_grid *g) {

@@ -151,7 +151,7 @@ void ftcs_wall_ghosts(struct ftcs_grid *g, double *T) {
         const struct ftcs_side *e = &g->side[s];
         if (law && g->p->side[s] != PERIODIC)
             reflect_law(g, (enum side)s, T);
-        else if (e->places == 1) /* of a rod */
+        else if (e->places == 1) /* a rod */
             for (int m = 0; m < g->reach; m++) of[e->ghost[m]] = e->sign[m] * of[e->mirror[m]] + e->offset[m];
         else
             for (int m = 0; m < g->reach && e->places; m++) reflect(e, m, of);

@@ -10,7 +10,7 @@
  *     c t lambda^3 dt^2 / 18 in time, c = 1 + 8/(s^2 + s - 2) <= 1.8, and t sum of kappa_a k_a^4 dx^2 / 12 in space.
  *
  * The sum is at least lambda^2 / sum of kappa_a (Cauchy), so the share of time is at most (2/3) c lambda t (N_0/N)^2
- * with N = t/dt steps and N_0^2 = t sum of kappa_a / dx^2.  Where data excite all modes alike, those that make up the
+ * with N = t/dt steps and N_0^2 = t sum of kappa_a / dx^2.  If data excite all modes equally, those that make up the
  * errors are near lambda t = 3 in time and 2 in space, the maxima of lambda^3 exp(-lambda t) and lambda^2
  * exp(-lambda t): the ratio of these is 1.66 c (N_0/N)^2.  N = 16 N_0 makes that 0.65 % for many stages, 1.2 % for
  * three, and a single mode up to lambda t = 1.5 stays below 0.5 %.  Sixteen steps at least: rkl2 halves in each what
