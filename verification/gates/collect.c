@@ -215,10 +215,7 @@ void gates_retype(struct gates *g, int i, const char *command) {
 }
 
 void gates_free(struct gates *g) {
-    for (int i = 0; i < g->declared; i++) {
-        gates_forget(&g->result[i]);
-        free(g->result[i].measured.found.evidence);
-    }
+    for (int i = 0; i < g->declared; i++) gates_forget(&g->result[i]), measures_free(&g->result[i].measured);
     for (int i = 0; i < g->texts; i++) free(g->kept[i]);
     free(g->kept);
     free(g->result);

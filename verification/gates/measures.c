@@ -11,6 +11,7 @@
 #include "verification/judge/consistency.h"
 #include "verification/judge/judge.h"
 #include "verification/judge/ladder.h"
+#include "verification/judge/norms.h"
 #include "verification/judge/run.h"
 #include "verification/solve/symmetry.h"
 
@@ -75,9 +76,28 @@ int measures_ladder(const struct command *r, double lo, double hi, struct ladder
     return STATUS_OK;
 }
 
+/* For a picture of the errors. */
+static void keep_field(const struct experiment *e, struct ladder *l, struct measured *m) {
+    if (m->verdict == VERDICT_PASS || l->kept[0].n == 0) return;
+    m->field = l->kept[0];
+    l->kept[0] = (struct field){0};
+    m->exact = xcalloc(m->field.n, sizeof *m->exact);
+    norms_exact(e->scene, &e->problem, &m->field, m->exact);
+}
+
+void measures_free(struct measured *m) {
+    field_free(&m->field);
+    free(m->exact);
+    free(m->found.evidence);
+    m->exact = NULL, m->found.evidence = NULL;
+}
+
 void measures_slope(const struct command *r, double lo, double hi, struct measured *m) {
     struct ladder *l = xcalloc(1, sizeof *l);
-    if (!measures_ladder(r, lo, hi, l, m)) keep_rungs(l, &m->rungs);
+    if (!measures_ladder(r, lo, hi, l, m)) {
+        keep_rungs(l, &m->rungs);
+        keep_field(&r->experiment, l, m);
+    }
     ladder_free(l);
     free(l);
 }
@@ -90,6 +110,7 @@ void measures_slope_offsets(const struct command *r, double lo, double hi, struc
         struct measured one = {0};
         with.experiment.options.shift = (double)s / OFFSETS;
         measures_slope(&with, lo, hi, &one);
+        measures_free(&one);
         if (s == 0 || one.verdict != VERDICT_PASS || one.error > m->error) *m = one;
         if (m->verdict == VERDICT_PASS) continue;
         snprintf(m->reason, sizeof m->reason, "offset %g dx: %.370s", with.experiment.options.shift, one.reason);

@@ -4,13 +4,13 @@
 
 /* Measures of gates, by name.  A new measure is a row of measures.def and a function. */
 
+#include "solver/field.h"
 #include "verification/fault/diagnosis.h"
 #include "verification/text/number.h"
 #include "verification/text/verdict.h"
 
 struct experiment;
 struct failure;
-struct field;
 struct ladder;
 struct command;
 struct result;
@@ -35,6 +35,8 @@ struct measured {
     struct diagnosis found; /* the common fault that the errors resemble; its evidence is owned */
     char diagnosis[340];    /* in words; "" if none is named */
     struct rungs rungs;
+    struct field field; /* owned: the finest answer of a ladder that does not hold; n = 0: none */
+    double *exact;      /* owned: K, at its points */
 };
 
 struct measure {
@@ -55,6 +57,9 @@ extern const struct measure measures[]; /* ended by a NULL name */
 /* A failure with its reason (skipped if the program skips the case); the verdict on lo <= value <= hi. */
 void measures_fail(struct measured *m, const struct failure *why);
 void measures_judge(struct measured *m, double value, double lo, double hi);
+
+/* Frees what *m owns. */
+void measures_free(struct measured *m);
 
 /* Keeps a diagnosis with its evidence, and its words if it names a fault. */
 void measures_diagnosed(struct measured *m, const struct diagnosis *d);

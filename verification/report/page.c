@@ -7,6 +7,7 @@
 #include "verification/fault/wording.h"
 #include "verification/solve/program.h"
 #include "verification/judge/ladder.h"
+#include "verification/report/picture.h"
 #include "verification/text/html.h"
 #include "verification/text/output.h"
 #include "verification/text/table.h"
@@ -58,6 +59,10 @@ static void put_failure(const struct gate_result *r, FILE *out) {
     put_diagnosis(r->measured.diagnosis, "", out);
     html_print(out, "<p class=\"faint\">Why: %s</p>\n", r->gate.why);
     html_command(out, r->typed);
+    fprintf(out, "<div class=\"panels\">\n");
+    picture_ladder(out, &r->measured.rungs, &r->gate);
+    if (r->measured.field.n) picture_field(out, &r->measured.field, r->measured.exact);
+    fprintf(out, "</div>\n");
     put_rungs(&r->measured.rungs, out);
 }
 
@@ -109,9 +114,11 @@ static void put_gate(const struct gate_result *r, FILE *out) {
 
 static void put_verdict(const struct gates *g, FILE *out) {
     struct gates_tally t = gates_tally(g, NULL);
+    const char *word = g->interrupted && !t.failed ? "inconclusive" : tally_word(t);
     fprintf(out, "<p class=\"verdict\">");
-    html_verdict(out, tally_word(t));
+    html_verdict(out, word);
     fprintf(out, ": %d of %d gates hold", t.passed, t.judged);
+    if (g->interrupted) fprintf(out, "; interrupted, %d were due", g->planned);
     if (t.skipped) fprintf(out, ", %d skipped", t.skipped);
     fprintf(out, "</p>\n");
     put_diagnosis(g->diagnosis, "verdict", out);

@@ -36,6 +36,7 @@ static const char style[] =
     "#scenes section{display:inline-block;width:49%;vertical-align:top;margin-right:.5%}\n"
     "#scenes figure{display:block;width:auto}}\n"
     ".pass{color:var(--pass)}.fail{color:var(--fail);font-weight:bold}.other{color:var(--other);font-weight:bold}\n"
+    ".panels{display:flex;flex-wrap:wrap;gap:.5rem}.panel{flex:0 1 340px;min-width:0;height:auto}\n"
     ".verdict{font-size:1.25rem;margin:.5rem 0}nav ul,.groups{columns:4 "
     "12rem;padding-left:1.2rem}summary{cursor:pointer}\n"
     "@media print{@page{margin:12mm}body{font-size:9pt;background:#fff;color:#000}main{padding:0}nav{display:none}\n"

@@ -3,6 +3,10 @@
 #include "verification/text/html.h"
 #include "verification/report/page.h"
 
+#include "solver/field.h"
+#include "verification/gates/gates.h"
+#include "verification/report/picture.h"
+
 #include "reports/figure/document.h"
 #include "reports/index/index.h"
 #include "solver/status.h"
@@ -243,6 +247,56 @@ static void index_lists_existing_parts(void **state) {
     unlink(path_of("song_table1.html"));
 }
 
+static int times(const char *needle) {
+    int n = 0;
+    for (const char *at = text; (at = strstr(at, needle)); at++) n++;
+    return n;
+}
+
+/* Points without a temperature or an exact value are left out; no coordinate is NaN. */
+static void pictures_have_one_mark_a_point(void **state) {
+    (void)state;
+    for (int dim = 1; dim <= 3; dim++) {
+        struct field f = {0};
+        double exact[18];
+        field_alloc(&f, dim, 18);
+        for (size_t i = 0; i < 18; i++) { /* 3 x 3 x 2 points; both layers are as near the middle */
+            const double x[DIM_MAX] = {(double)(i % 3), (double)(i / 3 % 3) + (dim < 3 ? 0.1 * (double)i : 0),
+                                       i < 9 ? 0 : 1.5};
+            field_put(&f, i, x);
+            f.T[i] = 1 + (double)i;
+            exact[i] = 1.5 + (double)i;
+        }
+        f.T[4] = NAN, exact[5] = NAN;
+        FILE *out = begin();
+        picture_field(out, &f, exact);
+        fclose(out);
+        assert_int_equal(times("<svg"), dim == 1 ? 2 : 3);
+        assert_int_equal(dim == 1 ? times("<circle") + times("<path") : times("fill=\"#"),
+                         dim == 1 ? 50 : 3 * 18 - 4);
+        assert_lacks(text, "nan");
+        field_free(&f);
+    }
+}
+
+static void ladder_picture_has_band_and_ceiling(void **state) {
+    (void)state;
+    struct rungs l = {4, "dx [m]", "E1", {0.4, 0.2, 0.1, 0.05}, {8e-3, 2e-3, NAN, 0}, {1, 1, 0, 0}};
+    struct gate g = {.lo = 1.9, .hi = 2.1, .ceiling = 1e-4};
+    FILE *out = begin();
+    picture_ladder(out, &l, &g);
+    fclose(out);
+    assert_int_equal(times("<circle"), 2);
+    assert_int_equal(times("<polygon"), 1);
+    assert_int_equal(times("ceiling"), 1);
+    assert_lacks(text, "nan");
+    out = begin();
+    g = (struct gate){.lo = 0, .hi = 1e-3, .ceiling = NAN};
+    picture_ladder(out, &l, &g);
+    fclose(out);
+    assert_int_equal(times("<polygon"), 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(text_is_escaped),
@@ -254,6 +308,8 @@ int main(void) {
         cmocka_unit_test(plots_have_one_curve_per_method),
         cmocka_unit_test(ladder_page_has_table_and_command),
         cmocka_unit_test(index_lists_existing_parts),
+        cmocka_unit_test(pictures_have_one_mark_a_point),
+        cmocka_unit_test(ladder_picture_has_band_and_ceiling),
     };
     assert_non_null(scratch_directory(folder, "heatladder_page"));
     int failed = cmocka_run_group_tests_name("page", tests, NULL, NULL);
