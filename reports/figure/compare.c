@@ -52,7 +52,7 @@ static int run_cases(struct work *w, int first, int last, struct failure *why) {
         if (!command_run_note(&run, why))
             *cell_of(w, choice, method, column) =
                 (struct cell){command_run_error(&run, w->c->choice[choice].decimals, w->c->choice[choice].late),
-                              run.result.error.l1};
+                              run.result.error[NORM_L1]};
         command_run_free(&run);
     }
     return why->status;

@@ -67,7 +67,7 @@ static void write_lattice(const struct command_run *run, const struct figure_ser
         fprintf(out, "%.6g,%.6g,%.6g\n%s", x[0], x[1], f->T[i], (i + 1) % (size_t)f->shape[0] ? "" : "\n");
     }
     figure_block(out, "E [%]", "%s error", s->name);
-    fprintf(out, "%.4g\n", 100 * run->result.error.l1);
+    fprintf(out, "%.4g\n", 100 * run->result.error[NORM_L1]);
 }
 
 /* Of a cloud at its points; of a box the layer nearest to z = at. */

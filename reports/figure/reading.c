@@ -2,6 +2,7 @@
 /* Runs commands and reads their JSON. */
 #include "reports/figure/reading.h"
 
+#include "verification/judge/ladder.h"
 #include "verification/judge/command_run.h"
 #include "verification/stability/step_limit.h"
 #include "verification/text/json.h"
@@ -32,6 +33,7 @@ static int ladder(struct command_run *r, struct json *j, struct failure *why) {
     struct ladder *l = xcalloc(1, sizeof *l);
     int status = ladder_run(&r->typed.experiment, &r->typed.rungs, l, why);
     if (!status) ladder_json(l, j);
+    ladder_free(l);
     free(l);
     return status;
 }

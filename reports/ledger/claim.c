@@ -2,7 +2,7 @@
 /* Components of the measures of claims. */
 #include "reports/ledger/claim.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include <stdarg.h>
 #include <stdio.h>

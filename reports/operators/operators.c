@@ -14,7 +14,7 @@
 #include "reports/figure/document.h"
 #include "reports/figure/figure.h"
 #include "reports/figure/reading.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/ladder.h"
 #include "verification/stability/model_problem.h"
 #include "verification/stability/spectrum.h"
@@ -102,7 +102,7 @@ static const char *without_order(const struct order *o) {
 }
 
 static double finest_error(const struct order *o) {
-    return o->ladder.rung[o->ladder.n - 1].error.l1;
+    return o->ladder.rung[o->ladder.n - 1].error[NORM_L1];
 }
 
 static void tabulate_orders(const struct order *all, struct document *d) {
@@ -139,8 +139,8 @@ static const double ENOUGH = 1e-3; /* error to be reached */
 static double work_at(const struct ladder *l, double error) {
     for (int i = 1; i < l->n; i++) {
         const struct result *coarse = &l->rung[i - 1], *fine = &l->rung[i];
-        if (coarse->error.l1 < error || fine->error.l1 > error) continue;
-        double part = log(coarse->error.l1 / error) / log(coarse->error.l1 / fine->error.l1);
+        if (coarse->error[NORM_L1] < error || fine->error[NORM_L1] > error) continue;
+        double part = log(coarse->error[NORM_L1] / error) / log(coarse->error[NORM_L1] / fine->error[NORM_L1]);
         double ratio = (double)fine->cost.interactions / (double)coarse->cost.interactions;
         return (double)coarse->cost.interactions * pow(ratio, part);
     }
@@ -164,7 +164,7 @@ static void write_work(const struct order *all, FILE *out) {
         figure_block(out, columns, "%s %s", o->method, operators_clouds[worked_on[k / OPERATORS]].name);
         for (int i = 0; i < order->ladder.n && !without_order(order); i++) {
             const struct result *r = &order->ladder.rung[i];
-            fprintf(out, "%lld,%.5e,%g\n", r->cost.interactions, r->error.l1, r->options.dx);
+            fprintf(out, "%lld,%.5e,%g\n", r->cost.interactions, r->error[NORM_L1], r->options.dx);
         }
     }
 }

@@ -8,7 +8,7 @@
 
 #include "references/scene.h"
 #include "solver/space/kernel.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -327,7 +327,7 @@ void pamplona_curvature(struct claims_measured *m) {
             if (claim_result(&run, m, "run rect-manufactured %s --set k_y=0.02 --dx 0.05%s",
                              second ? "kernel_second" : "brookshaw", more))
                 return;
-            E[second] = run.error.l1;
+            E[second] = run.error[NORM_L1];
         }
         claim_number(m, from, "h", "W'' rises from, %s", words[k]);
         claim_number(m, E[1] / E[0], "", "E1 by W'' over E1 by W', lattice, h/dx 1.2");

@@ -137,8 +137,9 @@ void song_table(struct claims_measured *m) {
         struct result run;
         if (claim_result(&run, m, "run %s %s %s --dx %s", of->scene, t.method[r], of->choice->options, t.where[i]))
             return;
-        double ratio = run.error.l1 / t.value[r][i];
-        int digits = fabs(published_units(t.cell[r][i], run.error.l1)) <= 1, near = digits || fabs(ratio - 1) <= 0.02;
+        double ratio = run.error[NORM_L1] / t.value[r][i];
+        int digits = fabs(published_units(t.cell[r][i], run.error[NORM_L1])) <= 1,
+            near = digits || fabs(ratio - 1) <= 0.02;
         if (!near) claim_number(m, ratio, "", "measured over printed, %s at dx = %s", t.method[r], t.where[i]);
         if (!digits && !(fabs(ratio - 1) <= fabs(worst - 1))) worst = ratio;
         held += near;

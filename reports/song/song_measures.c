@@ -17,8 +17,8 @@
 #include "references/series.h"
 #include "solver/space/assembly.h"
 #include "solver/space/kernel.h"
-#include "verification/judge/command.h"
-#include "verification/judge/consistency.h"
+#include "verification/case/command.h"
+#include "verification/stability/consistency.h"
 #include "verification/stability/symbol.h"
 
 #include <complex.h>
@@ -138,7 +138,8 @@ void song_time_error(struct claims_measured *m) {
         struct command_run euler, exact;
         int bad = claim_run(&euler, m, "run %s --stepper euler --dt %s", run[i][0], run[i][1]) |
                   claim_run(&exact, m, "run %s --stepper exact", run[i][0]);
-        double share = bad ? 0 : field_distance(&exact.field, euler.field.T, exact.field.T) / exact.result.error.l1;
+        double share =
+            bad ? 0 : field_distance(&exact.field, euler.field.T, exact.field.T) / exact.result.error[NORM_L1];
         command_run_free(&euler);
         command_run_free(&exact);
         if (bad) return;

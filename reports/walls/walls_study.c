@@ -13,7 +13,7 @@
 #include "solver/particles/particles.h"
 #include "solver/space/assembly.h"
 #include "solver/time/stepper.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/slope.h"
 #include "verification/stability/spectrum.h"
 

@@ -7,7 +7,7 @@
 
 #include "solver/time/stepper.h"
 #include "verification/judge/run.h"
-#include "verification/solve/experiment.h"
+#include "verification/case/experiment.h"
 #include "verification/solve/symmetry.h"
 #include "verification/text/progress.h"
 
@@ -225,12 +225,12 @@ double bench_cost(const struct bench_row *row, int by_work) {
 
 /* Whether no other row is at least as good in both quantities and better in one. */
 static int on_front(const struct bench_scene *b, const struct bench_row *row, int by_work) {
-    double error = row->result.error.l1, cost = bench_cost(row, by_work);
+    double error = row->result.error[NORM_L1], cost = bench_cost(row, by_work);
     if (row->result.failure.status) return 0;
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *other = &b->row[i];
         if (other->result.failure.status || other == row) continue;
-        double e = other->result.error.l1, w = bench_cost(other, by_work);
+        double e = other->result.error[NORM_L1], w = bench_cost(other, by_work);
         if (e <= error && w <= cost && (e < error || w < cost)) return 0;
     }
     return 1;

@@ -5,7 +5,7 @@
 #include "references/scene.h"
 #include "solver/options.h"
 #include "verification/bench/bench.h"
-#include "verification/solve/lanes.h"
+#include "verification/case/lanes.h"
 #include "verification/text/json.h"
 #include "verification/text/table.h"
 #include "verification/text/whole_file.h"
@@ -60,7 +60,7 @@ static void print_front(const struct bench_scene *b, FILE *out) {
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];
         if (!r->front_time && !r->front_work) continue;
-        table_add(&t, "%s|%d|%.3e|%.3g|%.0f|%.3g|%.3g|%s", r->candidate->label, r->n, r->result.error.l1,
+        table_add(&t, "%s|%d|%.3e|%.3g|%.0f|%.3g|%.3g|%s", r->candidate->label, r->n, r->result.error[NORM_L1],
                   r->time.median, 100 * (r->time.highest - r->time.lowest) / r->time.median, r->work,
                   (double)r->result.cost.bytes / (double)r->result.particles,
                   r->front_time && r->front_work ? "time, work"
@@ -89,9 +89,9 @@ void bench_print_scene(const struct bench_scene *b, FILE *out) {
 }
 
 static void write_row(const struct bench_row *r, FILE *out) {
-    fprintf(out, "%d,%zu,%.17g,%.9g,%.9g,%.9g,%.9g,%zu,%lld,\"%s\"\n", r->n, r->result.particles, r->result.error.l1,
-            r->time.median, r->time.lowest, r->time.highest, r->work, r->result.cost.bytes, r->result.cost.updates,
-            r->candidate->label);
+    fprintf(out, "%d,%zu,%.17g,%.9g,%.9g,%.9g,%.9g,%zu,%lld,\"%s\"\n", r->n, r->result.particles,
+            r->result.error[NORM_L1], r->time.median, r->time.lowest, r->time.highest, r->work, r->result.cost.bytes,
+            r->result.cost.updates, r->candidate->label);
 }
 
 /* The plotter takes the last word of the header as the legend, so that it must not contain a comma. */

@@ -2,7 +2,7 @@
 /* Signals, memory, threads and the path of the program. */
 #include "verification/cli/surroundings.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include <errno.h>
 #include <gsl/gsl_errno.h>

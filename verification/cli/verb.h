@@ -4,7 +4,7 @@
 
 /* The verbs of the command line.  A new one is a row of verbs.def and a file with its struct verb. */
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 struct verb {
     const struct command_syntax *syntax;

@@ -6,7 +6,7 @@
 #include "solver/status.h"
 #include "solver/words.h"
 #include "verification/cli/battery_options.h"
-#include "verification/solve/results.h"
+#include "verification/case/results.h"
 
 #include <stdio.h>
 

@@ -11,7 +11,7 @@
 #include "verification/judge/gci.h"
 #include "verification/judge/ladder.h"
 #include "verification/report/page.h"
-#include "verification/judge/memory.h"
+#include "verification/solve/memory.h"
 #include "verification/text/output.h"
 #include "verification/text/table.h"
 #include "verification/text/verdict.h"

@@ -6,7 +6,7 @@
 #include "solver/shape.h"
 #include "verification/text/output.h"
 #include "verification/text/json.h"
-#include "verification/judge/memory.h"
+#include "verification/solve/memory.h"
 #include "verification/judge/run.h"
 
 #include <math.h>
@@ -60,10 +60,11 @@ static void print_text(const struct result *r, const struct problem *p, const ch
                r->steps, r->stages, r->stages == 1 ? "" : "s");
     if (r->saving > 0)
         printf("  %-14s the fewest stable Euler steps take %.3g times the updates\n", "saving", r->saving);
-    printf("  %-14s E1 %.4e   L2 %.4e   L-infinity %.4e K\n", "error", r->error.l1, r->error.l2, r->error.linf);
+    printf("  %-14s E1 %.4e   L2 %.4e   L-infinity %.4e K\n", "error", r->error[NORM_L1], r->error[NORM_L2],
+           r->error[NORM_LINF]);
     if (r->derived_name)
         printf("  %-14s %.6g %s (exact: %.6g), relative error %.4e\n", r->derived_name, r->derived, unit,
-               r->derived_exact, r->derived_error);
+               r->derived_exact, r->error[NORM_QUANTITY]);
     if (r->time_error > 0) printf("  %-14s %.2g %% of E1\n", "time error", 100 * r->time_error);
     printf("  %-14s %.6g to %.6g K, ", "temperature", r->shape.min, r->shape.max);
     if (r->shape.overshoot == 0 && r->shape.undershoot == 0)

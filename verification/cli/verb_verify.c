@@ -2,6 +2,7 @@
 /* heatladder verify: all gates, or the battery on another program. */
 #include "solver/words.h"
 #include "verification/cli/verb.h"
+#include "verification/solve/program.h"
 
 #include "verification/text/output.h"
 #include "verification/cli/battery_options.h"
@@ -9,7 +10,7 @@
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
 #include "verification/text/shell.h"
-#include "verification/solve/results.h"
+#include "verification/case/results.h"
 #include "verification/report/page.h"
 
 #include <omp.h>

@@ -6,6 +6,7 @@
 #include "solver/field.h"
 #include "solver/status.h"
 #include "verification/fault/wording.h"
+#include "verification/solve/program.h"
 #include "verification/judge/ladder.h"
 #include "verification/judge/norms.h"
 #include "verification/judge/run.h"

@@ -4,8 +4,8 @@
 
 #include "solver/words.h"
 #include "references/scene.h"
-#include "verification/judge/command.h"
-#include "verification/solve/results.h"
+#include "verification/case/command.h"
+#include "verification/case/results.h"
 #include "verification/gates/ceiling.h"
 #include "verification/text/output.h"
 #include "verification/text/whole_file.h"

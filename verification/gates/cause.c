@@ -4,7 +4,7 @@
 #include "verification/gates/gates.h"
 
 #include "verification/fault/headline.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include <math.h>
 #include <stdio.h>

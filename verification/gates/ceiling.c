@@ -55,7 +55,7 @@ static double five_point_at(const struct experiment *e, double dx, enum mean mea
         five.options = (struct options){.dx = ring, .sampling = e->options.sampling, .mean = mean};
         five.options.fourier = (k + 1) * 0.06 / p->dim;
         if (run_experiment(&five, &r, NULL)) return NAN;
-        error[k] = largest ? r.error.linf : r.error.l1;
+        error[k] = largest ? r.error[NORM_LINF] : r.error[NORM_L1];
     }
     return (2 * error[0] - error[1]) * sq(dx / ring);
 }

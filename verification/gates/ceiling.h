@@ -11,7 +11,7 @@
  * either sign that do not cancel alike in the two codes.  The finite differences themselves have the bounds of theory
  * (ceiling_truncation).  The others below are for rows where this cannot hold, each named after its idea. */
 
-#include "verification/solve/experiment.h"
+#include "verification/case/experiment.h"
 
 double ceiling(const struct experiment *e);
 double ceiling_largest(const struct experiment *e); /* the same of the largest error, K */

@@ -4,7 +4,7 @@
 
 /* Weights of the methods on a lattice of spacing 1, in units of kappa_x, for the ceilings. */
 
-#include "verification/solve/experiment.h"
+#include "verification/case/experiment.h"
 
 enum { CEILING_REACH = 10, CEILING_WIDE = 2 * CEILING_REACH + 1 };
 

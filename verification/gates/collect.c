@@ -5,7 +5,7 @@
 #include "references/scene.h"
 #include "solver/status.h"
 #include "solver/words.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/gates/ceiling.h"
 #include "verification/text/output.h"
 #include "verification/text/shell.h"

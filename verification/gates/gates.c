@@ -3,7 +3,7 @@
  * executed with those declared. */
 #include "verification/gates/gates.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/solve/program.h"
 #include "verification/text/output.h"
 #include "verification/text/progress.h"

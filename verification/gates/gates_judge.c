@@ -3,9 +3,9 @@
 #include "solver/words.h"
 #include "verification/gates/gates.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/solve/program.h"
-#include "verification/solve/results.h"
+#include "verification/case/results.h"
 #include "verification/judge/judge.h"
 #include "verification/judge/ladder.h"
 #include "verification/text/shell.h"

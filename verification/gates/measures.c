@@ -5,10 +5,10 @@
 #include "references/scene.h"
 #include "solver/shape.h"
 #include "solver/words.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/fault/diagnose.h"
 #include "verification/fault/wording.h"
-#include "verification/judge/consistency.h"
+#include "verification/stability/consistency.h"
 #include "verification/judge/judge.h"
 #include "verification/judge/ladder.h"
 #include "verification/judge/norms.h"
@@ -40,7 +40,7 @@ void measures_judge(struct measured *m, double value, double lo, double hi) {
 
 static void keep_rungs(const struct ladder *l, struct rungs *to) {
     to->n = l->n;
-    to->norm = ladder_norm_titles[l->norm];
+    to->norm = norm_titles[l->norm];
     snprintf(to->axis, sizeof to->axis, "%s%s", l->inverse ? "1 / " : "", ladder_axis(l));
     memcpy(to->x, l->x, sizeof to->x);
     memcpy(to->error, l->error, sizeof to->error);
@@ -127,7 +127,7 @@ void measures_order(const struct command *r, double lo, double hi, struct measur
 /* Rows of the battery are converted to runs, which have no choice of norm; this measure gives them one. */
 void measures_order_linf(const struct command *r, double lo, double hi, struct measured *m) {
     struct command with = *r;
-    with.rungs.norm = LADDER_LINF;
+    with.rungs.norm = NORM_LINF;
     measures_order(&with, lo, hi, m);
 }
 
@@ -155,7 +155,7 @@ void measures_operator_slope(const struct command *r, double lo, double hi, stru
 int measures_run(const struct experiment *e, struct result *r, struct field *f, struct measured *m) {
     int status = run_experiment(e, r, f);
     measures_fail(m, &r->failure);
-    if (!status) m->error = r->error.l1, m->dt = step_of(e, r);
+    if (!status) m->error = r->error[NORM_L1], m->dt = step_of(e, r);
     return status;
 }
 
@@ -165,11 +165,11 @@ int measures_run(const struct experiment *e, struct result *r, struct field *f, 
         struct result of;                                                                                            \
         if (!measures_run(&r->experiment, &of, NULL, m)) measures_judge(m, value, lo, hi);                           \
     }
-OF_RUN(error_linf, of.error.linf)
+OF_RUN(error_linf, of.error[NORM_LINF])
 OF_RUN(overshoot, fmax(of.shape.overshoot, of.shape.undershoot))
 OF_RUN(heat_drift, of.heat_drift)
 OF_RUN(quantity, of.derived_name ? of.derived : NAN)
-OF_RUN(quantity_error, of.derived_name ? of.derived_error : NAN)
+OF_RUN(quantity_error, of.derived_name ? of.error[NORM_QUANTITY] : NAN)
 OF_RUN(checkerboard, of.shape.checkerboard)
 #undef OF_RUN
 

@@ -3,7 +3,8 @@
 #include "verification/gates/measures.h"
 
 #include "solver/field.h"
-#include "verification/judge/command.h"
+#include "verification/solve/program.h"
+#include "verification/case/command.h"
 #include "verification/fault/diagnose.h"
 #include "verification/judge/ladder.h"
 #include "verification/judge/self_difference.h"
@@ -21,7 +22,7 @@ static void skip(struct measured *m, const char *text) {
 
 /* Runs the same case twice.  Returns 1 if the answers can be compared, with their relative difference and the
  * largest |T|, K.  The second run is not kept, so that it cannot read the answer of the first. */
-static int run_twice(const struct experiment *e, struct result *first, struct norms_error *apart, double *largest,
+static int run_twice(const struct experiment *e, struct result *first, double apart[NORM_QUANTITY], double *largest,
                      struct measured *m) {
     struct experiment again = *e;
     struct result second;
@@ -44,15 +45,15 @@ static int run_twice(const struct experiment *e, struct result *first, struct no
 static void judge_noise(const struct command *r, const struct ladder *l, struct measured *m) {
     struct experiment e = r->experiment;
     struct measured tried = *m;
-    struct norms_error apart;
+    double apart[NORM_QUANTITY];
     struct result first;
     struct diagnosis d;
     double largest, error = ladder_finest_error(l), ceiling = r->rungs.ceiling;
     e.options.dt = l->x[l->n - 1];
     e.program.keep = NULL;
-    if (!e.program.solver || !run_twice(&e, &first, &apart, &largest, &tried)) return;
-    if (!(apart.l1 > JUDGE_NOISE * error) || !diagnosis_repeat(apart.linf, largest, &d)) return;
-    if (ceiling > 0 && error - 3 * apart.l1 > ceiling) return;
+    if (!e.program.solver || !run_twice(&e, &first, apart, &largest, &tried)) return;
+    if (!(apart[NORM_L1] > JUDGE_NOISE * error) || !diagnosis_repeat(apart[NORM_LINF], largest, &d)) return;
+    if (ceiling > 0 && error - 3 * apart[NORM_L1] > ceiling) return;
     measures_diagnosed(m, &d);
     snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
     m->verdict = VERDICT_INCONCLUSIVE;
@@ -133,21 +134,21 @@ void measures_error(const struct command *r, double lo, double hi, struct measur
     struct result result;
     struct field f = {0};
     if (!measures_run(e, &result, &f, m)) {
-        measures_judge(m, result.error.l1, lo, hi);
-        if (e->solve == run_program && m->verdict == VERDICT_FAIL) diagnose(r, &f, hi, m);
+        measures_judge(m, result.error[NORM_L1], lo, hi);
+        if (e->external && m->verdict == VERDICT_FAIL) diagnose(r, &f, hi, m);
     }
     field_free(&f);
 }
 
 void measures_repeat(const struct command *r, double lo, double hi, struct measured *m) {
-    struct norms_error apart;
+    double apart[NORM_QUANTITY];
     struct result first;
     struct diagnosis d;
     double largest;
-    if (!run_twice(&r->experiment, &first, &apart, &largest, m)) return;
-    measures_judge(m, apart.linf / largest, lo, hi);
-    m->error = first.error.l1;
-    if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, largest, &d)) {
+    if (!run_twice(&r->experiment, &first, apart, &largest, m)) return;
+    measures_judge(m, apart[NORM_LINF] / largest, lo, hi);
+    m->error = first.error[NORM_L1];
+    if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart[NORM_LINF], largest, &d)) {
         measures_diagnosed(m, &d);
         snprintf(m->reason, sizeof m->reason, "%s; where that is meant, --skip this row", m->diagnosis);
         m->verdict = VERDICT_INCONCLUSIVE;

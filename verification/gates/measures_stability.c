@@ -7,7 +7,7 @@
 #include "verification/stability/long_run.h"
 #include "verification/stability/step_limit.h"
 #include "verification/stability/maximum_principle.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/run.h"
 
 #include <float.h>

@@ -4,7 +4,7 @@
 
 /* A command line, run and kept, for claims and reports: each of their numbers has a command that repeats it. */
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/result.h"
 
 #include <stdarg.h>

@@ -21,7 +21,7 @@
 #include "solver/status.h"
 #include "solver/words.h"
 #include "verification/solve/case_run.h"
-#include "verification/solve/results.h"
+#include "verification/case/results.h"
 #include "verification/case/rows.h"
 #include "verification/case/samples.h"
 #include "verification/judge/interpolate.h"
@@ -245,7 +245,7 @@ static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map 
 static int find_answer(const char *dir, double h, char path[RESULTS_PATH + 16], struct failure *why) {
     char of[RESULTS_PATH];
     if (results_directory(dir, h, of)) return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", dir);
-    if (case_run_answer(of, path, RESULTS_PATH + 16)) return STATUS_OK;
+    if (results_answer(of, path, RESULTS_PATH + 16)) return STATUS_OK;
     return refuse(why, STATUS_INPUT, "%.300s: no answer; needs out.csv, out.npy or out.dat", of);
 }
 

@@ -8,7 +8,7 @@
 #include "solver/field.h"
 #include "solver/status.h"
 #include "solver/words.h"
-#include "verification/solve/results.h"
+#include "verification/case/results.h"
 #include "verification/judge/self_difference.h"
 #include "verification/text/progress.h"
 #include "verification/judge/run.h"
@@ -54,14 +54,6 @@ static int plan(const struct ladder_rungs *r, struct ladder *l, struct failure *
     for (int i = 0; i + 1 < l->n; i++)
         if (!(l->x[i + 1] < l->x[i])) return refuse(why, STATUS_INPUT, "--%s: %g is given twice", name, l->x[i]);
     return STATUS_OK;
-}
-
-/* Error number `which` of a result. */
-enum { ERRORS = 6 };
-static double *error_of(struct result *r, int which) {
-    double *const of[] = {&r->error.l1,    &r->error.l2,    &r->error.linf,
-                          &r->interior.l1, &r->boundary.l1, &r->derived_error};
-    return of[which];
 }
 
 /* ---- The climb ---- */
@@ -140,20 +132,20 @@ static void climb(const struct climb *c) {
 
 /* The errors of a rung become the geometric means of its draws; a draw that failed is shown in their place. */
 static void pool(const struct climb *c, struct ladder *l) {
-    enum ladder_norm norm = c->e->derived ? LADDER_QUANTITY : l->asked.norm;
+    enum norm norm = c->e->derived ? NORM_QUANTITY : l->asked.norm;
     int shown = c->draws - 1, failed = 0;
     for (int k = 0; k < c->draws * c->runs && !failed; k++)
         if (c->result[k].failure.status) shown = k / c->runs, failed = 1;
     memcpy(l->rung, &c->result[shown * c->runs], (size_t)l->n * sizeof *l->rung);
     if (failed) l->draws = 0;
     for (int i = 0; i < l->n && l->draws; i++) {
-        double mean[ERRORS] = {0};
+        double mean[NORM_QUANTITY + 1] = {0};
         for (int k = 0; k < l->draws; k++) {
-            struct result *r = &c->result[k * c->runs + i];
+            const struct result *r = &c->result[k * c->runs + i];
             l->draw[k][i] = ladder_error_in(r, norm);
-            for (int n = 0; n < ERRORS; n++) mean[n] += log(*error_of(r, n)) / l->draws;
+            for (int n = 0; n <= NORM_QUANTITY; n++) mean[n] += log(r->error[n]) / l->draws;
         }
-        for (int n = 0; n < ERRORS; n++) *error_of(&l->rung[i], n) = exp(mean[n]);
+        for (int n = 0; n <= NORM_QUANTITY; n++) l->rung[i].error[n] = exp(mean[n]);
     }
 }
 
@@ -176,7 +168,7 @@ static int measure_in_time(const struct climb *c, struct ladder *l, struct failu
         const struct result *r = &c->result[i];
         dt[i] = r->dt > 0 ? r->dt : l->x[i];
         if (!r->failure.status) l->x[i] = dt[i];
-        if (c->differences) l->rung[i].error = (struct norms_error){.l1 = NAN, .l2 = NAN, .linf = NAN};
+        for (int n = 0; n < NORM_QUANTITY && c->differences && i < l->n; n++) l->rung[i].error[n] = NAN;
     }
     if (!c->differences || l->failure.status) return STATUS_OK;
     if (l->fine > 0)
@@ -268,31 +260,31 @@ static void question(const struct experiment *e, struct ladder *l) {
     const struct result *first = &l->rung[l->n - 2];
     struct result result;
     struct field f = {0};
-    struct norms_error apart;
-    int largest = l->norm == LADDER_LINF;
-    if (l->norm != LADDER_QUANTITY && l->kept[0].n)
-        l->printed = norms_digits(&l->kept[0], &e->program.map, &l->digits) / l->rung[l->n - 1].error.l1;
+    double apart[NORM_QUANTITY];
+    enum norm norm = l->norm == NORM_LINF ? NORM_LINF : NORM_L1;
+    if (l->norm != NORM_QUANTITY && l->kept[0].n)
+        l->printed = norms_digits(&l->kept[0], &e->program.map, &l->digits) / l->rung[l->n - 1].error[NORM_L1];
     if (!e->program.solver || !l->kept[1].n) return;
     again.options.dx = l->x[l->n - 2];
     again.program.keep = NULL;
-    if (!run_experiment(&again, &result, &f) && self_difference_fields(&e->problem, &l->kept[1], &f, &apart)) {
-        l->noise.apart = apart.linf;
-        l->noise.finest = largest ? apart.linf : apart.l1 / sqrt(2);
-        l->noise.share = l->noise.finest / (largest ? first->error.linf : first->error.l1);
+    if (!run_experiment(&again, &result, &f) && self_difference_fields(&e->problem, &l->kept[1], &f, apart)) {
+        l->noise.apart = apart[NORM_LINF];
+        l->noise.finest = norm == NORM_LINF ? apart[norm] : apart[norm] / sqrt(2);
+        l->noise.share = l->noise.finest / first->error[norm];
     }
     field_free(&f);
 }
 
 int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why) {
     double start = omp_get_wtime();
-    *l = (struct ladder){.asked = *rungs, .external = e->solve == run_program};
+    *l = (struct ladder){.asked = *rungs, .external = e->external};
     if (plan(rungs, l, why)) return why->status;
     memcpy(l->vary, e->program.vary, sizeof l->vary);
     if (e->program.seeds > 1 && check_seeds(e, l, why)) return why->status;
     l->draws = e->program.seeds > 1 ? e->program.seeds : 0;
     int status = climb_ladder(e, l, why);
     if (status_refused(status) && !(l->external && l->failure.status)) return status;
-    ladder_fit(l, e->derived ? LADDER_QUANTITY : rungs->norm);
+    ladder_fit(l, e->derived ? NORM_QUANTITY : rungs->norm);
     int judged = rungs->expect.count || rungs->ceiling > 0, wanted = judged && l->verdict != VERDICT_PASS;
     l->open = (wanted || rungs->diagnose) && !l->in_time && !l->vary[0] && !l->failure.status;
     if (l->open && l->external) {

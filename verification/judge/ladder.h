@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_JUDGE_LADDER_H
 #define HEATLADDER_VERIFICATION_JUDGE_LADDER_H
 
-#include "verification/solve/experiment.h"
+#include "verification/case/experiment.h"
 #include "verification/judge/judge.h"
 #include "verification/judge/result.h"
 #include "verification/judge/slope.h"
@@ -15,30 +15,6 @@
  * A ladder in space has several --dx; its errors are relative to the exact solution.  A ladder in time has one --dx
  * and several --dt or --fourier; its errors are relative to the solution of the particles' semi-discrete equations
  * (semidiscrete.h), so they contain no spatial error. */
-
-enum ladder_norm {
-#define NORM(NAME, word, title, of) LADDER_##NAME,
-#include "verification/judge/norms.def"
-#undef NORM
-    LADDER_QUANTITY /* the error of --quantity; has no name */
-};
-extern const char *const ladder_norm_words[];  /* in the order of the enum, ended by NULL */
-extern const char *const ladder_norm_titles[]; /* titles in the same order, including LADDER_QUANTITY */
-
-/* The requested rungs; one list has several numbers. */
-struct ladder_rungs {
-    struct numbers dx;      /* m */
-    struct numbers dt;      /* s */
-    struct numbers fourier; /* dimensionless */
-    double fine;            /* s: time step of one more run, the reference of a ladder in time; 0: successive runs */
-    struct numbers vary;    /* values of a parameter of the program, experiment.program.vary */
-    struct numbers expect;  /* band of the slope; empty if nothing is judged */
-    double ceiling;         /* maximum error at the finest included rung; 0: none */
-    enum ladder_norm norm;  /* norm to fit and judge */
-    int diagnose;           /* 1: diagnose also if the ladder passes or nothing is judged */
-    int scattered;          /* 1: the points may be at any position, so errors may scatter (judge.h) */
-    int small_passes;       /* 1: an error far below the ceiling passes with any slope */
-};
 
 struct ladder {
     struct ladder_rungs asked;
@@ -53,7 +29,7 @@ struct ladder {
     long long semidiscrete_steps; /* ladder in time: number of steps of the reference solution; 0: exact stepper */
     double semidiscrete_error;    /* error of the reference, see struct semidiscrete */
     double x[RUNG_MAX + 1];       /* of the rungs, and of --fine */
-    enum ladder_norm norm;
+    enum norm norm;
     double error[RUNG_MAX];           /* in that norm; NaN if the run failed */
     int draws;                        /* draws per rung; the errors are their geometric means; 0 for one run */
     double draw[SEEDS_MAX][RUNG_MAX]; /* errors of each draw */
@@ -83,10 +59,10 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
 void ladder_free(struct ladder *l);
 
 /* The error in a norm; NaN if the run failed. */
-double ladder_error_in(const struct result *r, enum ladder_norm norm);
+double ladder_error_in(const struct result *r, enum norm norm);
 
 /* Chooses the window and fits the slope in another norm. */
-void ladder_fit(struct ladder *l, enum ladder_norm norm);
+void ladder_fit(struct ladder *l, enum norm norm);
 
 /* Copies the included rungs, coarsest first, to x and error of RUNG_MAX each; returns their number. */
 int ladder_counted(const struct ladder *l, double *x, double *error);

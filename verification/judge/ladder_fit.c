@@ -2,6 +2,7 @@
 /* Evaluation of the rungs of a ladder: errors, window, slope, verdict. */
 #include "verification/judge/ladder.h"
 
+#include "solver/words.h"
 #include "verification/judge/judge.h"
 #include "verification/text/json.h"
 #include "verification/text/table.h"
@@ -9,24 +10,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#define NORM(NAME, word, title, of) word,
-const char *const ladder_norm_words[] = {
-#include "verification/judge/norms.def"
-    NULL};
-#undef NORM
-#define NORM(NAME, word, title, of) title,
-const char *const ladder_norm_titles[] = {
-#include "verification/judge/norms.def"
-    "the quantity's error"};
-#undef NORM
-
-double ladder_error_in(const struct result *r, enum ladder_norm norm) {
-    const double value[] = {
-#define NORM(NAME, word, title, of) of,
-#include "verification/judge/norms.def"
-#undef NORM
-        r->derived_error};
-    return r->failure.status ? NAN : value[norm];
+double ladder_error_in(const struct result *r, enum norm norm) {
+    return r->failure.status ? NAN : r->error[norm];
 }
 
 int ladder_counted(const struct ladder *l, double *x, double *error) {
@@ -54,13 +39,21 @@ double ladder_asked(const struct ladder *l, int rung) {
     return l->inverse ? 1 / l->x[rung] : l->x[rung];
 }
 
+/* With a quantity E1 is the only norm of the field; else each norm with a column, and the fitted one. */
+static int is_shown(const struct ladder *l, int norm) {
+    return l->norm == NORM_QUANTITY ? norm == NORM_L1 : norm_columns[norm] || norm == (int)l->norm;
+}
+
 static void add_rung(struct table *t, const struct ladder *l, int timed, int i) {
     const struct result *r = &l->rung[i];
     int failed = r->failure.status != STATUS_OK;
     table_add(t, "%.6g|%zu|%lld", ladder_asked(l, i), r->particles, r->steps);
-    table_number(t, "%.4e", failed ? NAN : r->error.l1, "-");
-    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived : r->error.l2, "-");
-    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived_error : r->error.linf, "-");
+    for (int k = 0; k < NORM_QUANTITY; k++)
+        if (is_shown(l, k)) table_number(t, "%.4e", failed ? NAN : r->error[k], "-");
+    if (l->norm == NORM_QUANTITY) {
+        table_number(t, "%.4e", failed ? NAN : r->derived, "-");
+        table_number(t, "%.4e", failed ? NAN : r->error[NORM_QUANTITY], "-");
+    }
     if (i == 0)
         table_add(t, " ");
     else
@@ -71,16 +64,20 @@ static void add_rung(struct table *t, const struct ladder *l, int timed, int i) 
 }
 
 struct table ladder_table(const struct ladder *l, int timed) {
-    char header[160];
-    snprintf(header, sizeof header, "%s|particles|steps|E1|%s|slope|time [%%]|%sleft out", ladder_axis(l),
-             l->norm == LADDER_QUANTITY ? "quantity|its error" : "L2|Linf [K]", timed ? "seconds|" : "");
+    char header[240];
+    snprintf(header, sizeof header, "%s|particles|steps", ladder_axis(l));
+    for (int k = 0; k < NORM_QUANTITY; k++)
+        if (is_shown(l, k))
+            words_add(header, sizeof header, "|%s", norm_columns[k] ? norm_columns[k] : norm_titles[k]);
+    if (l->norm == NORM_QUANTITY) words_add(header, sizeof header, "|quantity|its error");
+    words_add(header, sizeof header, "|slope|time [%%]|%sleft out", timed ? "seconds|" : "");
     struct table t = table_headed(0, header);
     for (int i = 0; i < l->n; i++) add_rung(&t, l, timed, i);
     return t;
 }
 
 void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
-    int used = snprintf(text, size, "slope of %s: ", ladder_norm_titles[l->norm]);
+    int used = snprintf(text, size, "slope of %s: ", norm_titles[l->norm]);
     char *rest = text + used;
     size_t room = size - (size_t)used;
     int known = 0;
@@ -141,21 +138,20 @@ void ladder_explained(struct ladder *l) {
     judge(l);
 }
 
-void ladder_fit(struct ladder *l, enum ladder_norm norm) {
+void ladder_fit(struct ladder *l, enum norm norm) {
     struct window_rung rung[RUNG_MAX];
     double x[RUNG_MAX], error[RUNG_MAX];
+    enum norm share = norm == NORM_QUANTITY ? norm : NORM_L1; /* shares of E1 apply to other norms of the field */
     l->norm = norm;
     for (int i = 0; i < l->n; i++) {
         const struct result *r = &l->rung[i];
         l->error[i] = ladder_error_in(r, norm);
-        /* the shares refer to E1, and also apply to other norms of the same field */
         rung[i] = (struct window_rung){
             .x = l->x[i],
             .error = l->error[i],
             .time = l->in_time ? NAN : r->time_error,
-            .reference =
-                norm == LADDER_QUANTITY ? r->derived_bound / r->derived_error : r->reference_error / r->error.l1,
-            .rounding = norm == LADDER_QUANTITY ? r->derived_rounding / r->derived_error : r->rounding / r->error.l1,
+            .reference = (norm == NORM_QUANTITY ? r->derived_bound : r->reference_error) / r->error[share],
+            .rounding = (norm == NORM_QUANTITY ? r->derived_rounding : r->rounding) / r->error[share],
             /* in a ladder in time the positions do not change */
             .random = (r->options.layout == LAYOUT_JITTER || r->options.layout == LAYOUT_RELAXED) && !l->in_time};
     }

@@ -80,9 +80,11 @@ unsigned char *norms_near(const struct problem *p, const struct field *f, double
     return near;
 }
 
+enum part { ALL, INTERIOR, BOUNDARY };
+
 /* 1 if point i belongs to the part and has an exact value. */
-static int counts(const double *exact, enum norms_part part, const unsigned char *near, size_t i) {
-    return exact[i] != NORMS_NO_VALUE && (part == NORMS_ALL || near[i] == (part == NORMS_BOUNDARY));
+static int counts(const double *exact, enum part part, const unsigned char *near, size_t i) {
+    return exact[i] != NORMS_NO_VALUE && (part == ALL || (near && near[i] == (part == BOUNDARY)));
 }
 
 /* The largest power of 2 up to x, by which division is exact; 1 for 0, infinity and NaN. */
@@ -90,32 +92,69 @@ static double power_below(double x) {
     return x > 0 && isfinite(x) ? scalbn(1, ilogb(x)) : 1;
 }
 
-/* Errors and temperatures are scaled by their maximum before they are added or squared, which prevents overflow and
- * underflow. */
-struct norms_error norms_error(const struct field *f, const double *exact, enum norms_part part,
-                               const unsigned char *near) {
-    double e1 = 0, e2 = 0, t1 = 0, t2 = 0, largest = 0;
-    struct norms_error norms = {0};
-    for (size_t i = 0; i < f->n; i++) {
-        norms.left_out += exact[i] == NORMS_NO_VALUE;
-        if (!counts(exact, part, near, i)) continue;
-        norms.linf = fmax(norms.linf, fabs(f->T[i] - exact[i]));
-        largest = fmax(largest, fabs(exact[i]));
-        norms.n++;
-    }
-    double unit[2] = {power_below(norms.linf), power_below(largest)};
+/* (sum w |T - Te|^p / sum w |Te|^p)^(1/p), p = 1 (Song 2018, eq. 46) or 2.  Errors, temperatures and weights are
+ * scaled by their maximum first, so that no sum overflows or underflows. */
+static double relative(int p, enum part part, const struct field *f, const double *exact, const unsigned char *near) {
+    double most[3] = {0}, unit[3], sum[2] = {0};
     for (size_t i = 0; i < f->n; i++) {
         if (!counts(exact, part, near, i)) continue;
-        double e = (f->T[i] - exact[i]) / unit[0], T = exact[i] / unit[1];
-        e1 += weight(f, i) * fabs(e);
-        t1 += weight(f, i) * fabs(T);
-        e2 += weight(f, i) * e * e;
-        t2 += weight(f, i) * T * T;
+        most[0] = fmax(most[0], fabs(f->T[i] - exact[i]));
+        most[1] = fmax(most[1], fabs(exact[i]));
+        most[2] = fmax(most[2], weight(f, i));
     }
-    if (isnan(e1) || norms.n == 0) norms.linf = NAN; /* fmax skips a NaN */
-    norms.l1 = e1 / t1 * (unit[0] / unit[1]);
-    norms.l2 = sqrt(e2 / t2) * (unit[0] / unit[1]);
-    return norms;
+    for (int k = 0; k < 3; k++) unit[k] = power_below(most[k]);
+    for (size_t i = 0; i < f->n; i++) {
+        if (!counts(exact, part, near, i)) continue;
+        double e = fabs(f->T[i] - exact[i]) / unit[0], T = fabs(exact[i]) / unit[1], w = weight(f, i) / unit[2];
+        sum[0] += w * (p == 1 ? e : e * e);
+        sum[1] += w * (p == 1 ? T : T * T);
+    }
+    double ratio = sum[0] / sum[1];
+    return (p == 1 ? ratio : sqrt(ratio)) * (unit[0] / unit[1]);
+}
+
+double norms_l1(const struct field *f, const double *exact, const unsigned char *near) {
+    return relative(1, ALL, f, exact, near);
+}
+
+double norms_l2(const struct field *f, const double *exact, const unsigned char *near) {
+    return relative(2, ALL, f, exact, near);
+}
+
+double norms_interior(const struct field *f, const double *exact, const unsigned char *near) {
+    return relative(1, INTERIOR, f, exact, near);
+}
+
+double norms_boundary(const struct field *f, const double *exact, const unsigned char *near) {
+    return relative(1, BOUNDARY, f, exact, near);
+}
+
+/* max |T - Te|, K */
+double norms_linf(const struct field *f, const double *exact, const unsigned char *near) {
+    double most = -INFINITY;
+    for (size_t i = 0; i < f->n; i++) {
+        if (!counts(exact, ALL, near, i)) continue;
+        double e = fabs(f->T[i] - exact[i]);
+        if (!(e <= most)) most = e; /* a NaN replaces it, */
+        if (isnan(e)) break;        /* and stays */
+    }
+    return most >= 0 ? most : NAN;
+}
+
+void norms_all(const struct field *f, const double *exact, const unsigned char *near, double error[NORM_QUANTITY]) {
+    static double (*const of[])(const struct field *f, const double *exact, const unsigned char *near) = {
+#define NORM(NAME, word, title, column, key, of) norms_##of,
+#include "verification/case/norms.def"
+#undef NORM
+    };
+#pragma omp parallel for schedule(dynamic, 1) if (f->n >= NORMS_MANY)
+    for (int k = 0; k < NORM_QUANTITY; k++) error[k] = of[k](f, exact, near);
+}
+
+size_t norms_left_out(const struct field *f, const double *exact) {
+    size_t n = 0;
+    for (size_t i = 0; i < f->n; i++) n += exact[i] == NORMS_NO_VALUE;
+    return n;
 }
 
 /* Widens [lo, hi] by the temperatures of Dirichlet walls and of the air at Robin walls, at the foot of each

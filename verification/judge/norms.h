@@ -5,6 +5,8 @@
 /* Norms of the error of a field; its range, variation, checkerboard and heat.  Sums are sum(w |e|^p) with the volume
  * weight w of each point. */
 
+#include "verification/case/norm.h"
+
 #include <math.h>
 #include <stddef.h>
 
@@ -24,25 +26,23 @@ double norms_exact(const struct scene *s, const struct problem *p, const struct 
 /* Refuses if the exact solution is zero or has no value at every point of *f, since no relative error exists. */
 int norms_check(const struct field *f, const double *exact, struct failure *why);
 
-struct norms_error {
-    double l1;       /* sum w|T - Te| / sum w|Te|  (Song 2018, eq. 46) */
-    double l2;       /* sqrt(sum w(T - Te)^2 / sum w Te^2) */
-    double linf;     /* K: max |T - Te|, absolute */
-    size_t n;        /* number of points included */
-    size_t left_out; /* number of points without an exact value */
-};
-
 enum { NORMS_MANY = 20000 }; /* points above which threads pay off */
-
-enum norms_part { NORMS_ALL, NORMS_INTERIOR, NORMS_BOUNDARY };
 
 /* 1 for each point whose distance to the nearest wall is below `distance`, m.  The caller frees the array. */
 unsigned char *norms_near(const struct problem *p, const struct field *f, double distance);
 
-/* Over the points that are near a wall (boundary) or not (interior); `near` is not read for all.  All norms are NaN
- * if the field has a NaN or the part has no points. */
-struct norms_error norms_error(const struct field *f, const double *exact, enum norms_part part,
-                               const unsigned char *near);
+/* One function per row of norms.def: the norm of the error T - exact.  near: marks of norms_near; NULL where they are
+ * not known, which leaves a norm of a part without a value.  NaN if the field has a NaN or the part has no points. */
+#define NORM(NAME, word, title, column, key, of)                                                                     \
+    double norms_##of(const struct field *f, const double *exact, const unsigned char *near);
+#include "verification/case/norms.def"
+#undef NORM
+
+/* All of them, in the order of the rows. */
+void norms_all(const struct field *f, const double *exact, const unsigned char *near, double error[NORM_QUANTITY]);
+
+/* The number of points without an exact value. */
+size_t norms_left_out(const struct field *f, const double *exact);
 
 struct norms_shape {
     double min, max;              /* K, of the field */

@@ -43,12 +43,11 @@ static void options_json(const struct result *r, struct json *j) {
 }
 
 static void errors_json(const struct result *r, struct json *j) {
-    json_add(j, "error_l1 %g|error_l1_interior %g|error_l1_boundary %g|error_l2 %g|error_linf %g", r->error.l1,
-             r->interior.l1, r->boundary.l1, r->error.l2, r->error.linf);
-    json_whole(j, "left_out_points", (long long)r->error.left_out);
+    for (int k = 0; k < NORM_QUANTITY; k++) json_number(j, norm_keys[k], r->error[k]);
+    json_whole(j, "left_out_points", (long long)r->left_out);
     if (r->derived_name) {
         json_add(j, "quantity_name %s|quantity %g|quantity_exact %g|quantity_error %g", r->derived_name, r->derived,
-                 r->derived_exact, r->derived_error);
+                 r->derived_exact, r->error[NORM_QUANTITY]);
     }
 }
 

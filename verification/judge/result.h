@@ -21,19 +21,19 @@ struct result {
     int stages;    /* operator applications per step */
     double saving; /* updates of the fewest stable Euler steps over those of a stepper with stages; NaN: unknown */
     size_t particles;
-    struct norms_error error;
-    struct norms_error interior, boundary; /* at least, or less than, a tenth of the extent from the nearest wall */
+    double error[NORM_QUANTITY + 1]; /* in each norm; of the quantity |difference| over |exact|, or |difference| if
+                                        that is 0.  A point is near a wall within a tenth of the extent. */
+    size_t left_out;                 /* points without an exact value */
     struct norms_shape shape;
     double heat_drift;
     const char *derived_name;      /* the quantity of struct experiment; NULL for none */
     double derived, derived_exact; /* numerical and exact */
-    double derived_error;          /* |difference| over |exact|, or |difference| if that is 0 */
     double derived_bound;          /* possible share of the exact value's own error */
     double derived_rounding;       /* possible share of rounding */
     double growth;                 /* s^-1: of the fastest growing mode, 0 if none grows, NaN if not determined */
-    double time_error;             /* share of the time step in error.l1; 0 for exact, NaN if unknown */
-    double reference_error;        /* possible share of the reference's own error in error.l1 */
-    double rounding;               /* possible share of rounding in error.l1 */
+    double time_error;             /* share of the time step in error[NORM_L1]; 0 for exact, NaN if unknown */
+    double reference_error;        /* possible share of the reference's own error in error[NORM_L1] */
+    double rounding;               /* possible share of rounding in error[NORM_L1] */
     struct cost cost;
     long long search_updates; /* updates of the other runs in the search for the time step */
 };

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One run: scene -> field -> norms. */
 #include "verification/judge/run.h"
+#include "verification/solve/program.h"
 
 #include "references/scene.h"
 #include "solver/particles/particles.h"
 #include "solver/time/stepper.h"
-#include "verification/solve/experiment.h"
+#include "verification/case/experiment.h"
 #include "verification/judge/derived.h"
 #include "verification/judge/time_step.h"
 
@@ -35,7 +36,7 @@ static int measure_derived(const struct experiment *e, const struct field *f, st
     int status = derived_value(&e->quantity, &e->problem, f, out->options.dx, &out->derived, &out->failure);
     double size = exact.value != 0 ? fabs(exact.value) : 1;
     out->derived_exact = exact.value;
-    out->derived_error = fabs(out->derived - exact.value) / size;
+    out->error[NORM_QUANTITY] = fabs(out->derived - exact.value) / size;
     out->derived_bound = exact.error_bound / size;
     out->derived_rounding = derived_rounding(e, out);
     return status;
@@ -57,16 +58,15 @@ static int measure(const struct experiment *e, const struct field *f, double *re
     out->saving =
         staged && f->bound > 0 && f->applications > 0 ? f->bound * p->t_end / 2 / (double)f->applications : NAN;
     out->particles = f->n;
-    struct norms_error *parts[] = {&out->error, &out->interior, &out->boundary};
     double skin = INFINITY;
     for (int a = 0; a < p->dim; a++) skin = fmin(skin, (p->hi[a] - p->lo[a]) / 10);
     unsigned char *near = norms_near(p, f, skin);
-#pragma omp parallel for schedule(dynamic, 1) if (f->n >= NORMS_MANY)
-    for (int k = 0; k < 3; k++) *parts[k] = norms_error(f, reference, (enum norms_part)k, near);
+    norms_all(f, reference, near, out->error);
     free(near);
-    if (!isfinite(out->error.l1))
-        return refuse(&out->failure, STATUS_NUMERICAL, "E1 = %g: temperature errors of up to %g K", out->error.l1,
-                      out->error.linf);
+    out->left_out = norms_left_out(f, reference);
+    if (!isfinite(out->error[NORM_L1]))
+        return refuse(&out->failure, STATUS_NUMERICAL, "E1 = %g: temperature errors of up to %g K",
+                      out->error[NORM_L1], out->error[NORM_LINF]);
     if (measure_derived(e, f, out)) return out->failure.status;
     out->shape = norms_shape(p, f, reference);
     out->heat_drift = norms_heat_drift(f);
@@ -89,7 +89,7 @@ static int solve(const struct experiment *e, struct result *out, struct field *f
     struct experiment used = *e;
     struct time_step stepping;
     if (used.options.mean == MEAN_AUTO) used.options.mean = used.problem.k_law ? MEAN_KIRCHHOFF : MEAN_HARMONIC;
-    int status = (e->solve ? e->solve : time_step_solve)(&used, f, &stepping, &out->failure);
+    int status = (e->external ? run_program : time_step_solve)(&used, f, &stepping, &out->failure);
     out->options = used.options;
     out->time_error = stepping.time_error;
     out->rounding = stepping.rounding;
@@ -155,7 +155,7 @@ int run_warm_up(const struct experiment *e, struct failure *why) {
     do {
         struct experiment again = *e;
         struct field field = {0};
-        status = (e->solve ? e->solve : time_step_solve)(&again, &field, &ignored, why);
+        status = (e->external ? run_program : time_step_solve)(&again, &field, &ignored, why);
         field_free(&field);
     } while (!status && omp_get_wtime() - start < 0.1);
     return status;

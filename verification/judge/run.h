@@ -14,7 +14,7 @@ struct result run_blank(const struct experiment *e);
  * If `field` is not NULL, the caller owns *field after STATUS_OK. */
 int run_experiment(const struct experiment *e, struct result *out, struct field *field);
 
-/* Solves by e->program, which chooses its own time step (experiment_solve).  Its reported number of steps counts for
+/* Solves by e->program, which chooses its own time step.  Its reported number of steps counts for
  * rounding up to the square of time_step_weights, more than an explicit scheme needs. */
 int run_program(struct experiment *e, struct field *f, struct time_step *step, struct failure *why);
 

@@ -15,7 +15,8 @@
 
 #include "solver/field.h"
 #include "verification/judge/ladder.h"
-#include "verification/solve/experiment.h"
+#include "verification/judge/norms.h"
+#include "verification/case/experiment.h"
 #include "verification/judge/run.h"
 
 #include <math.h>
@@ -53,24 +54,14 @@ static int on_one_grid(const struct problem *p, const struct place *a, const str
     return 1;
 }
 
-static struct norms_error distance(const struct place *coarse, const struct place *fine, size_t n) {
-    double d1 = 0, d2 = 0, t1 = 0, t2 = 0, linf = 0;
-    for (size_t i = 0; i < n; i++) {
-        double w = fine[i].w, d = fabs(coarse[i].T - fine[i].T), T = fabs(fine[i].T);
-        d1 += w * d;
-        d2 += w * d * d;
-        t1 += w * T;
-        t2 += w * T * T;
-        if (d > linf || isnan(d)) linf = d; /* a NaN propagates */
-    }
-    return (struct norms_error){.l1 = d1 / t1, .l2 = sqrt(d2 / t2), .linf = linf, .n = n};
-}
-
-/* The error of a run is its difference from another run; it has no parts and no reference error. */
-static void take_error(struct result *r, struct norms_error apart) {
-    r->error = apart;
-    r->interior = r->boundary = (struct norms_error){.l1 = NAN, .l2 = NAN, .linf = NAN};
-    r->reference_error = 0;
+static void measure(const struct place *a, const struct place *b, size_t n, double apart[NORM_QUANTITY]) {
+    struct field f = {.n = n, .T = xcalloc(n, sizeof *f.T), .weight = xcalloc(n, sizeof *f.weight)};
+    double *exact = xcalloc(n, sizeof *exact);
+    for (size_t i = 0; i < n; i++) f.T[i] = a[i].T, exact[i] = b[i].T, f.weight[i] = b[i].w;
+    norms_all(&f, exact, NULL, apart);
+    free(exact);
+    free(f.weight);
+    free(f.T);
 }
 
 /* The field that rung i is measured against: that of --fine, or that of the next rung. */
@@ -87,7 +78,7 @@ static double extrapolated(double dt, double finer, double p) {
 /* dt: of the rungs, and at l->n of the last field. */
 static void extrapolate(struct ladder *l, const double *dt) {
     double p = 1, d[RUNG_MAX], error[RUNG_MAX];
-    for (int i = 0; i < l->n; i++) error[i] = d[i] = l->rung[i].error.l1;
+    for (int i = 0; i < l->n; i++) error[i] = d[i] = l->rung[i].error[NORM_L1];
     for (int fit = 0; fit < FITS; fit++) {
         for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(dt[i], dt[reference_of(l, i)], p);
         double next = slope_fit(dt, error, l->n).value;
@@ -96,17 +87,16 @@ static void extrapolate(struct ladder *l, const double *dt) {
     }
     for (int i = 0; i < l->n; i++) {
         double more = extrapolated(dt[i], dt[reference_of(l, i)], p);
-        struct norms_error *e = &l->rung[i].error;
-        e->l1 *= more, e->l2 *= more, e->linf *= more;
+        for (int k = 0; k < NORM_QUANTITY; k++) l->rung[i].error[k] *= more;
         l->x[i] = dt[i];
     }
 }
 
 int self_difference_fields(const struct problem *p, const struct field *a, const struct field *b,
-                           struct norms_error *apart) {
+                           double apart[NORM_QUANTITY]) {
     struct place *at = sorted(a), *of = sorted(b);
     int same = a->n == b->n && on_one_grid(p, at, of, a->n);
-    if (same) *apart = distance(at, of, a->n);
+    if (same) measure(at, of, a->n, apart);
     free(at);
     free(of);
     return same;
@@ -115,14 +105,13 @@ int self_difference_fields(const struct problem *p, const struct field *a, const
 int self_difference_errors(const struct problem *p, const struct field *field, const double *dt, struct ladder *l,
                            struct failure *why) {
     for (int i = 0; i < l->n; i++) {
-        struct norms_error apart;
         int of = reference_of(l, i), fine = l->fine > 0;
-        if (!self_difference_fields(p, &field[i], &field[of], &apart))
+        if (!self_difference_fields(p, &field[i], &field[of], l->rung[i].error))
             return refuse(
                 why, STATUS_INPUT,
                 "a ladder in time needs all runs on one grid: at %g s the points differ from those of %s%g s",
                 dt[fine ? i : of], fine ? "--fine " : "", dt[fine ? of : i]);
-        take_error(&l->rung[i], apart);
+        l->rung[i].reference_error = 0;
     }
     l->self_differences = 1;
     extrapolate(l, dt);

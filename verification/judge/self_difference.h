@@ -5,10 +5,11 @@
 /* A ladder in time of a method whose semi-discrete solution is not known: successive runs against each other, or all
  * against one of a finer step. */
 
+#include "verification/case/norm.h"
+
 struct failure;
 struct field;
 struct ladder;
-struct norms_error;
 struct problem;
 
 /* Sets errors and abscissas of the l->n rungs from the fields of l->n + 1 runs with the time steps dt, s: from the
@@ -17,9 +18,9 @@ struct problem;
 int self_difference_errors(const struct problem *p, const struct field *field, const double *dt, struct ladder *l,
                            struct failure *why);
 
-/* Sets *apart to the difference of two fields, relative to the second except for the maximum (K), for any order of
- * their points.  Returns 1, or 0 if the points differ. */
+/* Sets apart to the norms of the difference of two fields, with the second as the exact one, for any order of their
+ * points; those of parts are NaN.  Returns 1, or 0 if the points differ. */
 int self_difference_fields(const struct problem *p, const struct field *a, const struct field *b,
-                           struct norms_error *apart);
+                           double apart[NORM_QUANTITY]);
 
 #endif

@@ -11,7 +11,7 @@
 #include "verification/judge/semidiscrete.h"
 
 #include "solver/time/stepper.h"
-#include "verification/solve/experiment.h"
+#include "verification/case/experiment.h"
 #include "verification/solve/symmetry.h"
 
 static const double AGREE = 1e-9; /* relative to sum |T|: ten times the rounding error of the longest step */

@@ -4,6 +4,7 @@
  * residuals; gsl_cdf_tdist_Pinv). */
 #include "verification/judge/slope.h"
 
+#include "verification/case/experiment.h"
 #include "verification/judge/window.h"
 
 #include <gsl/gsl_cdf.h>

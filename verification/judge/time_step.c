@@ -33,7 +33,7 @@
 #include "verification/judge/semidiscrete.h"
 #include "verification/solve/symmetry.h"
 #include "verification/judge/norms.h"
-#include "verification/solve/experiment.h"
+#include "verification/case/experiment.h"
 
 #include <float.h>
 #include <math.h>
@@ -124,7 +124,7 @@ static double *find_limit(const struct search *s) {
 }
 
 static double whole_error(const struct search *s, const struct field *f) {
-    return norms_error(f, s->exact, NORMS_ALL, NULL).l1;
+    return norms_l1(f, s->exact, NULL);
 }
 
 static struct estimate compare(const struct search *s) {
@@ -216,7 +216,7 @@ static int find_share(const struct experiment *e, const struct field *f, struct 
             const double w = part.weight ? part.weight[k] : 1;
             if (exact[k] != NORMS_NO_VALUE) volume += w, size += w * fabs(exact[k]);
         }
-        share->whole = share->space = norms_error(&part, exact, NORMS_ALL, NULL).l1;
+        share->whole = share->space = norms_l1(&part, exact, NULL);
         share->time = f->time_error * volume / size;
     }
     free(exact);
@@ -258,7 +258,7 @@ static int solve_by_polynomials(const struct experiment *e, struct field *f, str
     double *exact = xcalloc(s.field.n, sizeof *exact);
     norms_exact(e->scene, &e->problem, &s.field, exact);
     *f = s.field;
-    stepping->time_error = s.error / norms_error(f, exact, NORMS_ALL, NULL).l1;
+    stepping->time_error = s.error / norms_l1(f, exact, NULL);
     stepping->updates = s.updates;
     f->cost.bytes += search_bytes(e, f);
     free(exact);

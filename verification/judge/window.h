@@ -6,7 +6,7 @@
 
 #include "verification/text/number.h"
 
-enum { RUNG_MAX = NUMBERS_MAX, SEEDS_MAX = 16 };
+enum { RUNG_MAX = NUMBERS_MAX };
 enum { WINDOW_LEAST = 4 }; /* rungs required by a gate: two fitted parameters, two for the residual */
 
 struct window_rung {

@@ -2,6 +2,7 @@
 /* Runs one case: removes old answers, fills in the command, runs it and keeps its exit status. */
 #include "verification/solve/case_run.h"
 
+#include "verification/case/results.h"
 #include "solver/status.h"
 #include "verification/solve/process.h"
 #include "verification/text/output.h"
@@ -12,8 +13,6 @@
 #include <unistd.h>
 
 enum { PATH_SIZE = 1100 };
-
-static const char *const answers[] = {"out.csv", "out.npy", "out.dat", NULL};
 
 /* Temporary names for {out}; NumPy's save() appends its extension. */
 static const char *const parts[][2] = {{"out.part", "out.csv"}, {"out.part.npy", "out.npy"}};
@@ -30,15 +29,6 @@ int case_run_status(const char *dir) {
     if (in && (fscanf(in, "%d", &status) != 1 || status < 0 || status > 255)) status = -1;
     if (in) fclose(in);
     return status;
-}
-
-int case_run_answer(const char *dir, char *path, unsigned long size) {
-    for (int i = 0; answers[i]; i++) {
-        snprintf(path, size, "%s/%s", dir, answers[i]);
-        if (access(path, F_OK) == 0) return 1;
-    }
-    snprintf(path, size, "%s/%s", dir, answers[0]);
-    return 0;
 }
 
 /* Replaces the known words between braces in the command; other braces stay.  The caller frees the result. */
@@ -67,8 +57,8 @@ static char *fill_in(const struct case_run *c, const char *input, const char *ou
 /* Removes earlier answers, which could be taken for the answer of this run. */
 static int remove_old(const char *dir, struct failure *why) {
     char path[PATH_SIZE];
-    for (int i = 0; answers[i]; i++)
-        if (unlink(path_in(dir, answers[i], path)) && errno != ENOENT)
+    for (int i = 0; results_answers[i]; i++)
+        if (unlink(path_in(dir, results_answers[i], path)) && errno != ENOENT)
             return refuse(why, STATUS_INPUT, "cannot replace '%.300s': %s", path, strerror(errno));
     for (int i = 0; i < 2; i++) unlink(path_in(dir, parts[i][0], path));
     if (unlink(path_in(dir, "status", path)) && errno != ENOENT)

@@ -29,8 +29,4 @@ int case_run(const struct case_run *c, const char *scratch, int *code, struct fa
 /* The exit status recorded in `dir`; -1 for none. */
 int case_run_status(const char *dir);
 
-/* Returns 1 and the path, of `size` characters, if `dir` has an answer (out.csv, out.npy, out.dat); else 0 and the
- * path of the first of these. */
-int case_run_answer(const char *dir, char *path, unsigned long size);
-
 #endif

@@ -12,7 +12,7 @@
 #include "verification/case/case_file.h"
 #include "verification/solve/case_run.h"
 #include "verification/solve/field_file.h"
-#include "verification/solve/results.h"
+#include "verification/case/results.h"
 #include "verification/solve/runs.h"
 #include "verification/solve/scratch.h"
 #include "verification/text/output.h"
@@ -164,7 +164,7 @@ static int solve_at(const struct program *g, const struct scene *s, const struct
     int status = run_in_turn(g, s, o, text, scratch, dir, &seconds, why);
     free(text);
     if (status) return status;
-    if (!case_run_answer(dir, path, sizeof path))
+    if (!results_answer(dir, path, sizeof path))
         return refuse(why, STATUS_NUMERICAL, "--solver: exit status 0, but no answer at {out}");
     if (read_answer(g, path, "{out}", p, o, f, why)) return why->status = STATUS_NUMERICAL; /* the program failed */
     f->cost.seconds = seconds;
@@ -230,7 +230,7 @@ static int check_copied(const struct program *g, const char *path, const struct 
     for (int i = 0; i < dx.count; i++) {
         with.dx = dx.value[i];
         if (with.dx == o->dx || place_below(g, g->results, s, &with, dir)) continue;
-        if (case_run_answer(dir, other, sizeof other) && are_same(path, other))
+        if (results_answer(dir, other, sizeof other) && are_same(path, other))
             return refuse(why, STATUS_INPUT, "%.200s: the same file as %.200s, which is the answer for dx = %g m",
                           path, other, with.dx);
     }
@@ -242,7 +242,7 @@ static int solve_later(const struct program *g, const struct scene *s, const str
     char dir[RESULTS_PATH], path[RESULTS_PATH + 16];
     if (place_below(g, g->results, s, o, dir))
         return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
-    int answered = case_run_answer(dir, path, sizeof path), code = case_run_status(dir);
+    int answered = results_answer(dir, path, sizeof path), code = case_run_status(dir);
     if (code == STATUS_SKIPPED) return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)");
     if (!answered && code > 0)
         return refuse(why, STATUS_NUMERICAL, "%.300s: the program ended with exit status %d (%.300s/log)", path, code,

@@ -2,7 +2,7 @@
 /* Any case file beside an answer gives a scene's parameters, which make a problem or are refused, or is refused
  * itself. The first byte names the scene. */
 #include "verification/case/case_file.h"
-#include "verification/solve/results.h"
+#include "verification/case/results.h"
 
 #include "references/scene.h"
 #include "solver/problem.h"

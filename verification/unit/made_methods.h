@@ -9,7 +9,7 @@
 #include "solver/field.h"
 #include "solver/method.h"
 #include "solver/space/operator.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include "verification/unit/near.h"
 

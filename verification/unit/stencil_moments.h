@@ -6,7 +6,7 @@
  * differences down. */
 
 #include "solver/space/operator.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/unit/near.h"
 
 #include <stdio.h>

@@ -3,7 +3,8 @@
  * it. */
 #include "verification/unit/control_volumes.inc"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
+#include "verification/judge/ladder.h"
 #include "verification/solve/program.h"
 #include "verification/judge/run.h"
 
@@ -139,7 +140,7 @@ static void bounds_follow_the_draw(void **state) {
         run_experiment(&r.experiment, &result, NULL))
         fail_msg("%s", why.text);
     /* the ceiling has no error of time; the run has at most 1 % of E1, for which its step is searched */
-    assert_near(g.result[0].gate.ceiling, 4 * result.error.l1, 0.04 * result.error.l1);
+    assert_near(g.result[0].gate.ceiling, 4 * result.error[NORM_L1], 0.04 * result.error[NORM_L1]);
     command_free(&r);
     if (battery_add(2, PROFILE_ALL, 1, &drawn, &why) ||
         gates_choose(&drawn, "smooth/gauss,plane/largest", NULL, 0, &why) || battery_bounds(&drawn, &why))

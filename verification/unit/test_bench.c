@@ -7,7 +7,7 @@
 #include "solver/method.h"
 #include "solver/options.h"
 #include "verification/bench/bench.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/text/json.h"
 
 #include "verification/unit/near.h"
@@ -23,7 +23,7 @@ static struct bench_row row(const struct candidate *c, int n, double error, doub
     struct bench_row r = {.candidate = c, .n = n, .work = work, .time = {seconds, 0.9 * seconds, 1.2 * seconds}};
     r.result.scene = scene_find("rod-cosine");
     r.result.method = method_find(c->method);
-    r.result.error.l1 = error;
+    r.result.error[NORM_L1] = error;
     r.result.particles = (size_t)n;
     r.result.cost.bytes = 40 * (size_t)n;
     r.result.cost.updates = 1000LL * n;
@@ -172,9 +172,10 @@ static void front_is_pareto_optimal(void **state) {
         assert_order(p->time.median, <=, p->time.highest);
         for (const struct bench_row *q = b.row; q < b.row + b.count; q++)
             for (int by_work = 0; by_work < 2 && !bench_outcome(q); by_work++)
-                beaten[by_work] |=
-                    q->result.error.l1 <= p->result.error.l1 && bench_cost(q, by_work) <= bench_cost(p, by_work) &&
-                    (q->result.error.l1 < p->result.error.l1 || bench_cost(q, by_work) < bench_cost(p, by_work));
+                beaten[by_work] |= q->result.error[NORM_L1] <= p->result.error[NORM_L1] &&
+                                   bench_cost(q, by_work) <= bench_cost(p, by_work) &&
+                                   (q->result.error[NORM_L1] < p->result.error[NORM_L1] ||
+                                    bench_cost(q, by_work) < bench_cost(p, by_work));
         assert_int_equal(p->front_time, !beaten[0]);
         assert_int_equal(p->front_work, !beaten[1]);
         fronts += p->front_time + p->front_work;

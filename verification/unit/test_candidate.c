@@ -3,7 +3,7 @@
 #include "verification/bench/bench.h"
 
 #include "references/scene.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/run.h"
 
 #include "verification/unit/near.h"

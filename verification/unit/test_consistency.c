@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The error of derivative weights depends on the available neighbours. */
-#include "verification/judge/consistency.h"
+#include "verification/stability/consistency.h"
 
 #include "solver/space/operator.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include "verification/unit/stencil_moments.h"
 

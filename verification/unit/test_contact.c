@@ -11,7 +11,7 @@
 #include "solver/particles/particles.h"
 #include "solver/differences/ftcs.h"
 #include "solver/space/sample.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/result.h"
 #include "verification/judge/run.h"
 
@@ -352,7 +352,7 @@ static void interface_at_round_off_changes_nothing(void **state) {
             struct result on = result_of(line);
             for (int k = 0; k < 4; k++) {
                 snprintf(line, sizeof line, words, names[m], sampling ? "cell" : "point", places[k]);
-                assert_near(result_of(line).error.l1 / on.error.l1, 1, 1e-9);
+                assert_near(result_of(line).error[NORM_L1] / on.error[NORM_L1], 1, 1e-9);
             }
         }
 }
@@ -368,7 +368,7 @@ static void cut_cells_keep_heat_and_steady_profiles(void **state) {
                  "run wall-composite %s --mean series --dx 1/23 --set x_c=0.4217 --set k2=0.1 --set rho_c2=0.3 --set "
                  "t_end=40",
                  names[m]);
-        assert_near(result_of(line).error.l1, 0, 1e-11);
+        assert_near(result_of(line).error[NORM_L1], 0, 1e-11);
     }
 }
 

@@ -7,7 +7,7 @@
 #include "references/scene.h"
 #include "references/snapshot.h"
 #include "solver/status.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include "verification/unit/near.h"
 

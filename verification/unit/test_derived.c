@@ -6,7 +6,7 @@
 #include "references/quantity.h"
 #include "solver/method.h"
 #include "solver/problem.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/ladder.h"
 
 #include "verification/unit/near.h"

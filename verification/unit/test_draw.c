@@ -2,7 +2,7 @@
 /* The battery's draw: the same for a seed, within its ranges, of every image; and bounds that follow it. */
 #include "verification/gates/battery.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include "verification/unit/near.h"
 

@@ -3,7 +3,7 @@
 #include "verification/unit/made_answers.inc"
 
 #include "verification/fault/diagnose.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/solve/program.h"
 #include "verification/judge/ladder.h"
 
@@ -62,7 +62,7 @@ static void rung_at_round_off_passes_its_ceiling(void **state) {
     ladder(with, "exact 1e-15", l);
     assert_int_equal(l->verdict, VERDICT_PASS);
     assert_has(l->reason, "4 of 4 rungs are at round-off, without an order; the error ");
-    assert_near(ladder_finest_error(l), l->rung[3].error.l1, 0);
+    assert_near(ladder_finest_error(l), l->rung[3].error[NORM_L1], 0);
     snprintf(with, sizeof with, "%s --ceiling 1e-17", line);
     ladder(with, "exact 1e-15", l);
     assert_int_equal(l->verdict, VERDICT_FAIL);
@@ -128,7 +128,7 @@ static void draws_are_pooled(void **state) {
     assert_int_equal(l->draws, 12);
     double mean = 0, x[48], error[48];
     for (int k = 0; k < 12; k++) mean += log(l->draw[k][3]) / 12;
-    assert_near(l->rung[3].error.l1, exp(mean), 1e-15);
+    assert_near(l->rung[3].error[NORM_L1], exp(mean), 1e-15);
     assert_true(l->draw[0][3] != l->draw[1][3]);
     for (int k = 0; k < 48; k++) x[k] = l->x[k / 12], error[k] = l->draw[k % 12][k / 12];
     struct slope all = slope_fit(x, error, 48);

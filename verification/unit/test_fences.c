@@ -5,7 +5,7 @@
  * returns and free releases.  A write past the end is detected when the block is freed; a read past the end, or of
  * uninitialized memory, makes the error of the run NaN.  Sanitizers detect more if they are available; this test is
  * part of every `make test`. */
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
@@ -96,7 +96,8 @@ static void stays_inside(const char *line) {
     if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
     command_free(&r);
-    if (!(isfinite(result.error.l1) && isfinite(result.error.linf))) fail_msg("%s: E1 %g", line, result.error.l1);
+    if (!(isfinite(result.error[NORM_L1]) && isfinite(result.error[NORM_LINF])))
+        fail_msg("%s: E1 %g", line, result.error[NORM_L1]);
     if (broken > before) fail_msg("%s: %d blocks were written to past their end", line, broken - before);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lower bounds of a measured error: the rounding of a run and of its exact solution. */
 #include "references/scene.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/run.h"
 
 #include "verification/unit/near.h"

@@ -2,7 +2,8 @@
 /* Gates as rows: the list, the choice of rows, the commands as typed, and the execution of all of them. */
 #include "verification/gates/gates.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
+#include "verification/judge/ladder.h"
 
 #include "verification/unit/near.h"
 

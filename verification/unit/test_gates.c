@@ -2,7 +2,7 @@
 /* Gates: that none can pass without having been judged. */
 #include "verification/gates/gates.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/fault/headline.h"
 #include "verification/report/page.h"
 #include "verification/judge/run.h"

@@ -3,7 +3,7 @@
  * data. */
 #include "solver/particles/particles.h"
 #include "solver/time/growth.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/run.h"
 #include "verification/stability/model_problem.h"
 #include "verification/stability/spectrum.h"
@@ -97,7 +97,7 @@ static void undamped_many_stages_are_refused(void **state) {
         if (run_of[k].status)
             assert_has(r.failure.text, "chebyshev");
         else
-            assert_order(r.error.linf, <, 1e-6);
+            assert_order(r.error[NORM_LINF], <, 1e-6);
     }
 }
 

@@ -27,7 +27,7 @@ static void spatial_ladder_reports_its_slope(void **state) {
     assert_int_equal(l->verdict, VERDICT_PASS);
     ladder_judge(l, 0.9, 1.1);
     assert_int_equal(l->verdict, VERDICT_FAIL);
-    ladder_fit(l, LADDER_LINF);
+    ladder_fit(l, NORM_LINF);
     assert_near(l->slope.value, 2, 0.02);
     free(l);
 }
@@ -142,23 +142,23 @@ static void floors_are_relative_to_the_fitted_error(void **state) {
     l->n = 4;
     for (int i = 0; i < 4; i++) {
         l->x[i] = 1 / pow(2, i);
-        l->rung[i] = (struct result){.error.l1 = 0.004, .derived_error = 0.001, .time_error = NAN};
+        l->rung[i] = (struct result){.error[NORM_L1] = 0.004, .error[NORM_QUANTITY] = 0.001, .time_error = NAN};
     }
     l->rung[0].derived_bound = 2e-4, l->rung[1].derived_rounding = 3e-4, l->rung[2].reference_error = 2e-3;
     l->rung[3].rounding = 1e-3;
-    ladder_fit(l, LADDER_QUANTITY);
+    ladder_fit(l, NORM_QUANTITY);
     assert_string_equal(l->window.left_out[0], "reference floor: up to 20 % is the reference's own error");
     assert_string_equal(l->window.left_out[1], "round-off floor: up to 30 % of the error is rounding");
     assert_true(l->window.counts[2] && l->window.counts[3]);
-    ladder_fit(l, LADDER_L1);
+    ladder_fit(l, NORM_L1);
     assert_true(l->window.counts[0] && l->window.counts[1]);
     assert_string_equal(l->window.left_out[2], "reference floor: up to 50 % is the reference's own error");
     assert_string_equal(l->window.left_out[3], "round-off floor: up to 25 % of the error is rounding");
     l->rung[0].time_error = 0.034; /* which is all of the error of a ladder in time */
-    ladder_fit(l, LADDER_L1);
+    ladder_fit(l, NORM_L1);
     assert_string_equal(l->window.left_out[0], "time-error floor: 3.4 % of the error is the time step's");
     l->in_time = 1;
-    ladder_fit(l, LADDER_L1);
+    ladder_fit(l, NORM_L1);
     assert_true(l->window.counts[0]);
     free(l);
 }
@@ -196,7 +196,7 @@ static void a_ceiling_bounds_the_finest_rung(void **state) {
     /* another norm, another size: that of the largest error, K */
     climb("ladder rod-gauss ftcs --dx 0.25,1,0.125,0.5 --norm linf --ceiling 0.0049", &with_exact, STATUS_OK, l,
           &why);
-    assert_near(ladder_finest_error(l), l->rung[3].error.linf, 0);
+    assert_near(ladder_finest_error(l), l->rung[3].error[NORM_LINF], 0);
     free(l);
 }
 
@@ -208,10 +208,10 @@ static void failed_rungs_are_left_out_of_the_slope(void **state) {
     l->n = 4;
     for (int i = 0; i < 4; i++) {
         l->x[i] = 1 / pow(2, i);
-        l->rung[i] = (struct result){.error.l1 = 0.3 * pow(4, -i), .time_error = NAN};
+        l->rung[i] = (struct result){.error[NORM_L1] = 0.3 * pow(4, -i), .time_error = NAN};
     }
     l->rung[2].failure.status = l->failure.status = STATUS_INPUT;
-    ladder_fit(l, LADDER_L1);
+    ladder_fit(l, NORM_L1);
     assert_near(l->slope.value, 2, 1e-12);
     assert_int_equal(l->verdict, VERDICT_FAIL);
     ladder_slope_text(l, text, sizeof text);

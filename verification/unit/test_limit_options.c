@@ -5,7 +5,7 @@
 #include "solver/time/stepper.h"
 #include "solver/words.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/stability/step_limit.h"
 #include "verification/unit/near.h"
 

@@ -2,7 +2,7 @@
 /* Matched runs: refusals, order with a source. */
 #include "solver/time/matched.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>

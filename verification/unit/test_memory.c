@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The estimated memory of a run, and its refusal above the limit. */
-#include "verification/judge/memory.h"
+#include "verification/solve/memory.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
 
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 

@@ -4,7 +4,7 @@
 #include "solver/method.h"
 #include "solver/particles/nonlinear.h"
 #include "solver/time/stepper.h"
-#include "verification/solve/experiment.h"
+#include "verification/case/experiment.h"
 #include "verification/judge/run.h"
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/odd_scenes.h"

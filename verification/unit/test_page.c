@@ -10,7 +10,7 @@
 #include "reports/figure/document.h"
 #include "reports/index/index.h"
 #include "solver/status.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/solve/program.h"
 #include "verification/judge/ladder.h"
 #include "verification/text/table.h"

@@ -2,7 +2,7 @@
 /* --solver: the FTCS of ftcs.awk in place of a method, right, wrong and without an answer. */
 #include "verification/solve/program.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/run.h"
 
 #include "verification/unit/near.h"
@@ -45,8 +45,8 @@ static void the_same_scheme_gives_the_same_errors(void **state) {
     assert_int_equal(run_line("run rod-step ftcs --dx 0.1 --set kappa=0.013 --set a=0.6 --fourier 0.4", &ours), 0);
     assert_int_equal(mine.particles, ours.particles);
     assert_int_equal(mine.steps, ours.steps);
-    assert_near(mine.error.l1, ours.error.l1, 1e-13);
-    assert_near(mine.error.linf, ours.error.linf, 1e-12);
+    assert_near(mine.error[NORM_L1], ours.error[NORM_L1], 1e-13);
+    assert_near(mine.error[NORM_LINF], ours.error[NORM_LINF], 1e-12);
     assert_near(mine.cost.step_seconds, 0.25, 0); /* printed by the program */
 }
 

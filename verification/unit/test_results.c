@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cases written now and judged later, and ladders in a parameter of a program. */
 #include "verification/case/case_file.h"
-#include "verification/solve/results.h"
+#include "verification/case/results.h"
 
 #include "solver/status.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/cli/verb.h"
 #include "verification/judge/ladder.h"
 
@@ -71,7 +71,7 @@ static void judging_later_gives_the_same_verdicts(void **state) {
     snprintf(line, sizeof line, "ladder rod-gauss mine --results %s", dir);
     climb(line, &later, 0);
     assert_int_equal(later.n, 5);
-    for (int i = 0; i < 5; i++) assert_near(later.rung[i].error.l1, now.rung[i].error.l1, 0);
+    for (int i = 0; i < 5; i++) assert_near(later.rung[i].error[NORM_L1], now.rung[i].error[NORM_L1], 0);
 }
 
 static void missing_answers_are_listed(void **state) {
@@ -240,7 +240,7 @@ static void draws_are_judged_later(void **state) {
     command_free(&r);
     climb(line, &both, 0);
     assert_int_equal(both.draws, 2);
-    assert_near(both.rung[0].error.l1, sqrt(both.draw[0][0] * both.draw[1][0]), 1e-15);
+    assert_near(both.rung[0].error[NORM_L1], sqrt(both.draw[0][0] * both.draw[1][0]), 1e-15);
     assert_order(both.draw[1][3], >, both.draw[0][3] + 0.5e-3);
     snprintf(line, sizeof line, "ladder rod-gauss mine --results %s/drawn", dir);
     climb(line, &one, STATUS_INPUT); /* there is no answer without a seed */
@@ -258,7 +258,7 @@ static void vary_sets_a_parameter_of_the_program(void **state) {
         "\"cells_x = {cells_x}\" {case} && sed \"s/^dx = .*/dx = $(awk \"BEGIN{print 30/{cells_x}}\")/\" {case} > "
         "{case}.m && " AWK " {case}.m > {out}'",
         &in_cells, 0);
-    for (int i = 0; i < 4; i++) assert_near(in_cells.rung[i].error.l1, in_dx.rung[i].error.l1, 1e-12);
+    for (int i = 0; i < 4; i++) assert_near(in_cells.rung[i].error[NORM_L1], in_dx.rung[i].error[NORM_L1], 1e-12);
     assert_near(in_cells.slope.value, in_dx.slope.value, 1e-9);
 }
 

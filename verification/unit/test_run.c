@@ -5,10 +5,11 @@
 #include "references/quantity.h"
 #include "solver/field.h"
 #include "solver/problem.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include "verification/unit/near.h"
 
+#include <stdio.h>
 #include <float.h>
 
 static struct result run(const char *line, struct field *f, struct quantity_value *exact) {
@@ -94,7 +95,8 @@ static void rounding_bound_of_quantities(void **state) {
         assert_near(r.derived_rounding / r.rounding, row[i].more, 1e-9);
         assert_order(exact.error_bound, >, 0);
         assert_near(r.derived_bound * fabs(exact.value) / exact.error_bound, 1, 1e-12);
-        assert_near(r.derived_error * fabs(exact.value), fabs(r.derived - exact.value), 1e-12 * fabs(exact.value));
+        assert_near(r.error[NORM_QUANTITY] * fabs(exact.value), fabs(r.derived - exact.value),
+                    1e-12 * fabs(exact.value));
         field_free(&f);
     }
 }

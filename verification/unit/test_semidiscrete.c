@@ -5,7 +5,7 @@
 
 #include "references/scene.h"
 #include "solver/space/operator.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/run.h"
 #include "verification/judge/semidiscrete.h"
 

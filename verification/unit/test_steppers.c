@@ -2,7 +2,7 @@
 /* Steppers on one equation: stages, degrees, exponentials, and threads that have work. */
 
 #include "solver/time/stepper.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 #include "verification/judge/run.h"
 
 #include "verification/unit/near.h"

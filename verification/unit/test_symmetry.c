@@ -2,7 +2,7 @@
 /* Half, quarter and octant domains against the whole: the same field to rounding, for the work of the part. */
 #include "verification/solve/symmetry.h"
 
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include "verification/unit/near.h"
 

@@ -7,6 +7,8 @@
 #include "verification/unit/made_methods.h"
 #include "verification/unit/near.h"
 
+#include <stdio.h>
+
 static void exact_stepper_is_the_default_on_a_lattice(void **state) {
     (void)state;
     struct command r = request("run rod-gauss ftcs --dx 0.5", &with_exact);
@@ -14,7 +16,7 @@ static void exact_stepper_is_the_default_on_a_lattice(void **state) {
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(result.options.stepper, STEPPER_EXACT);
     assert_near(result.time_error, 0, 0);
-    assert_near(result.error.l1, C * 0.25, 1e-12);
+    assert_near(result.error[NORM_L1], C * 0.25, 1e-12);
     command_free(&r);
 }
 
@@ -53,7 +55,7 @@ static void step_is_refined_until_time_error_is_small(void **state) {
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     double space = C * 0.25, time = D * result.dt;
-    assert_near(result.error.l1, space + time, 1e-12);
+    assert_near(result.error[NORM_L1], space + time, 1e-12);
     assert_near(result.time_error, time / (space + time), 1e-9);
     assert_order(result.time_error, <=, 0.01);
     assert_order(result.time_error, >, 0.005); /* and no finer than needed */
@@ -77,7 +79,7 @@ static void an_unstable_second_step_is_halved(void **state) {
     int status =
         command_run_line(&run, "run disc-mode so_ssph --walls fit --origin 0.0001,0 --angle 0 --dx 0.05 --t-end 300");
     if (status) fail_msg("%s", run.result.failure.text);
-    assert_order(run.result.error.linf, <, 1e-9);
+    assert_order(run.result.error[NORM_LINF], <, 1e-9);
     command_run_free(&run);
 }
 

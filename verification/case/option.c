@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Readers of option values.  A refusal names the option, the value and the valid range. */
-#include "verification/judge/option.h"
+#include "verification/case/option.h"
 
 #include "solver/status.h"
 #include "solver/words.h"

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Estimated memory of a run, from its particles and neighbours, and the memory of the machine. */
-#include "verification/judge/memory.h"
+#include "verification/solve/memory.h"
 
 #include "solver/particles/particles.h"
 #include "solver/status.h"
-#include "verification/solve/experiment.h"
-#include "verification/judge/run.h"
+#include "verification/case/experiment.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -59,7 +58,7 @@ static double finest(const struct experiment *e, double bytes, double most) {
 }
 
 int memory_check(const struct experiment *e, struct failure *why) {
-    if (e->solve == run_program) return STATUS_OK;
+    if (e->external) return STATUS_OK;
     double most = e->memory > 0 ? GB * e->memory : memory_there(), bytes = memory_estimate(e);
     if (most == 0 || !(bytes > most)) return STATUS_OK;
     double dx = finest(e, bytes, most);

@@ -4,14 +4,13 @@
  * The scene must be known before its parameters can be set, so the words are walked twice: first the positionals,
  * then the options in their order.  A word that is unknown, doubled, empty or without a meaning for the method is
  * refused, with the valid ones. */
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include "references/scene.h"
 #include "solver/space/operator.h"
 #include "solver/words.h"
-#include "verification/solve/results.h"
-#include "verification/solve/lanes.h"
-#include "verification/judge/run.h"
+#include "verification/case/results.h"
+#include "verification/case/lanes.h"
 #include "verification/text/shell.h"
 
 #include <stdio.h>
@@ -226,7 +225,7 @@ static void take_program(struct command *c) {
     c->external = xcalloc(1, sizeof *c->external);
     *c->external = (struct method){.about = "another program", .accepts = ""};
     c->experiment.method = c->external;
-    c->experiment.solve = run_program;
+    c->experiment.external = 1;
 }
 
 int command_parse(const struct command_syntax *syntax, const struct option *own, int argc, char *const *argv,

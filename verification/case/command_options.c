@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Options of an experiment: the rows of command.def and the readers of values that are no plain number or word. */
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include "references/scene.h"
 #include "solver/status.h"
@@ -120,6 +120,6 @@ static int read_vary(void *options, const struct option *o, const char *text, st
 
 #define PLACE(member) .place = offsetof(struct command, member)
 const struct option command_options[] = {
-#include "verification/judge/command.def"
+#include "verification/case/command.def"
     {0}};
 #undef PLACE

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Options that lack, contradict or need each other. */
 #include "solver/words.h"
-#include "verification/judge/command.h"
+#include "verification/case/command.h"
 
 #include "references/scene.h"
 

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HEATLADDER_VERIFICATION_JUDGE_COMMAND_H
-#define HEATLADDER_VERIFICATION_JUDGE_COMMAND_H
+#ifndef HEATLADDER_VERIFICATION_CASE_COMMAND_H
+#define HEATLADDER_VERIFICATION_CASE_COMMAND_H
 
 /* From the words of a command line to an experiment, checked and with its problem set up. */
 
-#include "verification/judge/ladder.h"
-#include "verification/judge/option.h"
-#include "verification/solve/experiment.h"
+#include "verification/case/option.h"
+#include "verification/case/experiment.h"
 
 /* Words that a command takes, beside its own options. */
 struct command_syntax {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The vector width from the environment. */
-#include "verification/solve/lanes.h"
+#include "verification/case/lanes.h"
 
 #include "solver/options.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HEATLADDER_VERIFICATION_JUDGE_OPTION_H
-#define HEATLADDER_VERIFICATION_JUDGE_OPTION_H
+#ifndef HEATLADDER_VERIFICATION_CASE_OPTION_H
+#define HEATLADDER_VERIFICATION_CASE_OPTION_H
 
 /* Options of a command line: rows of tables, which the parser, the help and the manual page read. */
 

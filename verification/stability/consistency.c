@@ -5,10 +5,10 @@
  *
  * The test function is u = exp(a.x) sin(b.x + c), with distinct derivatives: for D = d/dx, D u = a u + b v and D
  * v = a v - b u, v = exp(a.x) cos(b.x + c). */
-#include "verification/judge/consistency.h"
+#include "verification/stability/consistency.h"
 
 #include "solver/particles/particles.h"
-#include "verification/solve/experiment.h"
+#include "verification/case/experiment.h"
 
 #include <math.h>
 

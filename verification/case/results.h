@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HEATLADDER_VERIFICATION_SOLVE_RESULTS_H
-#define HEATLADDER_VERIFICATION_SOLVE_RESULTS_H
+#ifndef HEATLADDER_VERIFICATION_CASE_RESULTS_H
+#define HEATLADDER_VERIFICATION_CASE_RESULTS_H
 
 /* Cases written now and answers judged later: DIR/SCENE/DX/case and DIR/SCENE/DX/out.csv. */
 
 #include "solver/problem.h"
-#include "verification/solve/program.h"
+#include "verification/case/experiment.h"
 #include "verification/text/number.h"
 
 enum { RESULTS_PATH = 1024 };
@@ -64,5 +64,11 @@ struct results_place { /* DIR/SCENE/SETTING/DX/RUNG; "" to omit a level */
  * existing case is kept; a different one is refused if it already has an answer. */
 int results_write(const struct results_place *at, const struct scene *s, const struct problem *p,
                   const struct options *o, const char *dx, int *written, struct failure *why);
+
+extern const char *const results_answers[]; /* names of an answer in its directory, ended by NULL */
+
+/* Returns 1 and the path, of `size` characters, if `dir` has an answer (out.csv, out.npy, out.dat); else 0 and the
+ * path of the first of these. */
+int results_answer(const char *dir, char *path, unsigned long size);
 
 #endif

@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Directories of cases and answers. */
-#include "verification/solve/results.h"
+#include "verification/case/results.h"
 
 #include "references/scene.h"
 #include "solver/options.h"
 #include "solver/status.h"
 #include "solver/words.h"
 #include "verification/case/case_file.h"
-#include "verification/solve/case_run.h"
-#include "verification/solve/program.h"
 #include "verification/text/output.h"
 #include "verification/text/whole_file.h"
 
@@ -215,7 +213,7 @@ static int write_one(const char *dir, const struct mapping *map, int seed, const
     output_end(&page);
     char *old = whole_file_at(page.path, NULL), answer[RESULTS_PATH + 16];
     int same = old && page.text && strcmp(old, page.text) == 0, status = STATUS_OK;
-    if (old && !same && case_run_answer(dir, answer, sizeof answer))
+    if (old && !same && results_answer(dir, answer, sizeof answer))
         status = refuse(why, STATUS_INPUT,
                         "%.300s: an answer to another case is there; remove it, or take another --into", dir);
     if (!same && !status) status = output_folders(page.path, why);
@@ -303,4 +301,15 @@ int results_write(const struct results_place *at, const struct scene *s, const s
     output_drop(&page, 1);
     free(old);
     return status;
+}
+
+const char *const results_answers[] = {"out.csv", "out.npy", "out.dat", NULL};
+
+int results_answer(const char *dir, char *path, unsigned long size) {
+    for (int i = 0; results_answers[i]; i++) {
+        snprintf(path, size, "%s/%s", dir, results_answers[i]);
+        if (access(path, F_OK) == 0) return 1;
+    }
+    snprintf(path, size, "%s/%s", dir, results_answers[0]);
+    return 0;
 }
