@@ -75,8 +75,8 @@ $(BUILD)/heatladder: $(OBJECTS)
 SPACE := $(subst x,,x x)
 differs = $(if $(filter x$(subst $(SPACE),x,$(strip $(2))),x$(subst $(SPACE),x,$(strip $(shell cat $(1) 2>/dev/null)))),,FORCE)
 
-# A scene is registered by its file.
-SCENE_LIST := $(patsubst references/scene_%.c,SCENE(%),$(SCENES))
+# A scene is registered by its descriptor, `const struct scene scene_NAME = {`, in a file scene_*.c.
+SCENE_LIST := $(sort $(shell sed -n 's/^const struct scene scene_\([a-z0-9_]*\) = {$$/SCENE(\1)/p' $(SCENES)))
 $(BUILD)/scenes.inc: $(call differs,$(BUILD)/scenes.inc,$(SCENE_LIST))
 	@mkdir -p $(@D)
 	$(Q)printf '%s\n' $(SCENE_LIST:%='%') > $@.new && mv $@.new $@

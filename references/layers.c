@@ -17,7 +17,10 @@
  * Restrictions: constant wall temperatures, uniform initial temperature in each layer. */
 #include "references/layers.h"
 
+#include "references/roots.h"
+
 #include <math.h>
+#include <float.h>
 
 void layers_contour(const struct layers *w, double t, struct layers_contour *c) {
     c->w = *w;
@@ -61,4 +64,125 @@ struct curve layers_contour_at(const struct layers_contour *c, double x) {
         slope += cimag(q * (wall * far * (1 + near * near) - core * near * (1 + far * far)));
     }
     return (struct curve){{c->w.start[i] + sum, c->error[0]}, {i ? slope : -slope, c->error[1]}};
+}
+
+/* ---- Second form: eigenfunctions ---- */
+
+/* Transient heat conduction through two layers by eigenfunctions.
+ *
+ *     T = S(x) + sum_n c_n phi_n(x) exp(-w_n^2 t),   phi = A_i sin(q_i d_i),   q_i = w sqrt(rho_c_i/k_i)
+ *
+ * S is the steady state, d_i the distance to the wall of layer i, w_i its width.  Temperature and flux are
+ * continuous at the contact:
+ *
+ *     A_1 sin(p_1) = A_2 sin(p_2),   e_1 A_1 cos(p_1) = -e_2 A_2 cos(p_2),   p_i = q_i w_i,  e_i = sqrt(k_i rho_c_i)
+ *
+ * Define the angle a_i by tan(a_i) = (e/e_i) tan(p_i) and a_i = p_i at the multiples of pi/2.  It increases with w,
+ * so a_1 + a_2 = n pi has exactly one root for each n >= 1, including modes with a node at the contact (Sturm).
+ * With v = T - start, Green's second identity gives c_n = -sum_i (wall_i - start) k_i q_i A_i/(w^2 N), where N is
+ * the integral of rho_c phi^2 (Carslaw and Jaeger 1959, section 14.1; Ozisik 1993, chapter 8).
+ *
+ * Rounding: let r_i = e/e_i and H_i^2 = r_i sin^2(p_i) + cos^2(p_i)/r_i, so that da_i/dp_i = 1/H_i^2.  The rounding
+ * of n pi changes w by a relative error n pi/sum_i(p_i/H_i^2) times larger.  It changes A of the other layer, which
+ * is proportional to H_i, by d(ln H_i)/dp_i = (r_i - 1/r_i) sin(p_i) cos(p_i)/H_i^2, up to r_i/2 if layer i
+ * oscillates between a wall and an almost stationary contact.
+ *
+ * Restrictions: constant wall temperatures, uniform initial temperature. */
+
+static const double last_exponent = 41.5; /* exp(-41.5) = 9.5e-19 */
+
+struct angles {
+    double time[2]; /* s^1/2: width sqrt(rho_c/k) */
+    double ratio[2];
+    double target; /* n pi */
+};
+
+static struct angles angles_of(const struct layers *w) {
+    struct angles a = {0};
+    double e[2];
+    for (int i = 0; i < 2; i++) {
+        a.time[i] = w->width[i] * sqrt(w->rho_c[i] / w->k[i]);
+        e[i] = sqrt(w->k[i] * w->rho_c[i]);
+    }
+    a.ratio[0] = sqrt(e[1] / e[0]);
+    a.ratio[1] = 1 / a.ratio[0];
+    return a;
+}
+
+static double excess(double frequency, const void *data) {
+    const struct angles *a = data;
+    double sum = -a->target;
+    for (int i = 0; i < 2; i++) sum += frequency * a->time[i];
+    for (int i = 0; i < 2; i++) {
+        double s = sin(frequency * a->time[i]), c = cos(frequency * a->time[i]);
+        sum += atan2((a->ratio[i] - 1) * s * c, c * c + a->ratio[i] * s * s);
+    }
+    return sum;
+}
+
+double layers_modes_needed(const struct layers *w, double t) {
+    struct angles a = angles_of(w);
+    return 2 + (a.time[0] + a.time[1]) * sqrt(last_exponent / t) / M_PI;
+}
+
+/* Stores mode n at time t in m->mode[n - 1].  Returns 0 if the mode has decayed. */
+static int add_mode(struct layers_modes *m, struct angles *a, int n, double t) {
+    const struct layers *w = &m->w;
+    a->target = n * M_PI;
+    double sum = a->time[0] + a->time[1];
+    double frequency = roots_increasing(excess, a, (n - 1) * M_PI / sum, (n + 1) * M_PI / sum);
+    double exponent = frequency * frequency * t, decay = exp(-exponent), A[2], q[2], sine[2], cosine[2];
+    if (exponent > last_exponent) return 0;
+    for (int i = 0; i < 2; i++) {
+        q[i] = frequency * sqrt(w->rho_c[i] / w->k[i]);
+        sine[i] = sin(q[i] * w->width[i]) * sqrt(a->ratio[i]);
+        cosine[i] = cos(q[i] * w->width[i]) / sqrt(a->ratio[i]);
+    }
+    A[0] = hypot(sine[1], cosine[1]) * sqrt(a->ratio[0]);
+    A[1] = copysign(hypot(sine[0], cosine[0]), sine[0] * sine[1] - cosine[0] * cosine[1]) * sqrt(a->ratio[1]);
+    double norm = 0, size = 0, whole = 0, turn = 0, swing = 0;
+    for (int i = 0; i < 2; i++) {
+        double width = w->width[i], phase = 2 * q[i] * width;
+        norm += w->rho_c[i] * A[i] * A[i] * width / 2 * (1 - sin(phase) / phase);
+        size -= (w->wall[i] - w->start[i]) * w->k[i] * q[i] * A[i];
+        whole += fabs((w->wall[i] - w->start[i]) * w->k[i] * q[i] * A[i]);
+        double H2 = sine[i] * sine[i] + cosine[i] * cosine[i];
+        turn += q[i] * width / H2;
+        swing += q[i] * width * fabs((a->ratio[i] - 1 / a->ratio[i]) * sine[i] * cosine[i]) / H2;
+    }
+    double per_norm = decay / (frequency * frequency * norm), moved = fmax(1, a->target / turn);
+    for (int i = 0; i < 2; i++) {
+        double rounding = DBL_EPSILON * whole * per_norm * fabs(A[i]) *
+                          (20 + moved * (8 * exponent + 4 * q[i] * w->width[i] + 4 * swing));
+        m->mode[n - 1].size[i] = size * per_norm * A[i];
+        m->mode[n - 1].q[i] = q[i];
+        m->error[0] += rounding;
+        m->error[1] += q[i] * rounding;
+    }
+    return 1;
+}
+
+void layers_modes(const struct layers *w, double t, struct layers_modes *m) {
+    struct angles a = angles_of(w);
+    double scale = fabs(w->wall[0] - w->start[0]) + fabs(w->wall[1] - w->start[1]);
+    double steep = scale / fmin(w->width[0], w->width[1]) * fmax(w->k[0], w->k[1]) / fmin(w->k[0], w->k[1]);
+    m->w = *w;
+    m->n = 0;
+    m->error[0] = 4 * DBL_EPSILON * (fabs(w->wall[0]) + fabs(w->wall[1])) + 1e-17 * scale;
+    m->error[1] = 16 * DBL_EPSILON * steep;
+    while (m->n < LAYERS_MODES && add_mode(m, &a, m->n + 1, t)) m->n++;
+    if (m->n == LAYERS_MODES) m->error[0] = m->error[1] = INFINITY; /* some significant modes are missing */
+}
+
+struct curve layers_modes_at(const struct layers_modes *m, double x) {
+    const struct layers *w = &m->w;
+    int i = x >= 0;
+    double sign = i ? -1 : 1, d = w->width[i] - fabs(x);
+    double flux = (w->wall[1] - w->wall[0]) / (w->width[0] / w->k[0] + w->width[1] / w->k[1]);
+    struct curve T = {{w->wall[i] + sign * flux / w->k[i] * d, m->error[0]}, {flux / w->k[i], m->error[1]}};
+    for (int n = 0; n < m->n; n++) {
+        T.at.value += m->mode[n].size[i] * sin(m->mode[n].q[i] * d);
+        T.slope.value += sign * m->mode[n].size[i] * m->mode[n].q[i] * cos(m->mode[n].q[i] * d);
+    }
+    return T;
 }

@@ -31,8 +31,7 @@ struct surface rectangle_at(const struct rectangle *r, const double x[2]);
  * (0 <= eta <= B). */
 struct approx rectangle_steady(double xi, double W, double eta, double B);
 
-/* Transient temperature for the same side, by quadrature over time of the wall's Green's function
- * (rectangle_quadrature.c). */
+/* Transient temperature for the same side, by quadrature over time of the wall's Green's function. */
 struct approx rectangle_quadrature(double xi, double W, double eta, double B, double s);
 
 #endif

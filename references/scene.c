@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of scenes. make writes build/scenes.inc from the names of the files scene_<name>.c. */
+/* The list of scenes.  make writes build/scenes.inc from the descriptors in the files scene_*.c. */
 #include "references/scene.h"
 
 #include <stdlib.h>
@@ -27,9 +27,8 @@ void scene_defaults(const struct scene *s, struct problem *p) {
 }
 
 struct exact scene_exact(const struct scene *s, const struct problem *p, const double *x, double t) {
-    if (!s->prepare) return s->exact(p, x, t);
-    void *shared = s->prepare(p, t);
-    struct exact e = s->prepared(p, shared, x, t);
+    void *shared = s->prepare ? s->prepare(p, t) : NULL;
+    struct exact e = s->exact(p, shared, x, t);
     free(shared);
     return e;
 }

@@ -6,8 +6,17 @@
 
 #include <stddef.h>
 
-/* A scene: a problem from the literature with its exact solution.  Each scene is one file, scene_<name>.c, found by
- * wildcard. */
+/* A scene: a problem from the literature with its exact solution.
+ *
+ * To add one, write references/scene_NAME.c with `const struct scene scene_NAME = {`: make finds it, and all tests
+ * run on it.  Begin with a scene that is near, such as scene_rod_cosine.c.
+ *   - `exact` is finite, with its bound, from t = 1e-310 to 1e300 s: let exponents underflow, divide by no t that is
+ * 0.
+ *   - Gradients have bounds too, and obey the walls: fill gradient_bound.  INFINITY is allowed at a front alone.
+ *   - `second` is derived independently.  Where it takes too many terms its error_bound is INFINITY.
+ *   - `odd`: distinct values, none 0 or 1.  `earliest`: from then on T is smooth over 10 `step`, that is, step is
+ * below a tenth of sqrt(4 kappa earliest); 0.1 s and a hundredth of the extent fit a scene that starts smooth.
+ *   - Name the kinks and jumps of the initial data (jump, kink of struct problem), or means over cells miss them. */
 
 struct failure;
 
@@ -22,7 +31,7 @@ struct param {
 struct exact {
     double temperature;             /* K */
     double error_bound;             /* K: truncation and rounding error of the evaluation */
-    double gradient[DIM_MAX];       /* K m^-1; 0 along axes past dim.  Defined for `exact` at t > 0 only */
+    double gradient[DIM_MAX];       /* K m^-1; 0 along axes past dim.  Of `exact`, at t > 0 */
     double gradient_bound[DIM_MAX]; /* K m^-1 */
     int no_value; /* 1 at a corner between sides at different temperatures: temperature is their mean, error_bound
                      half their difference */
@@ -47,14 +56,12 @@ struct scene {
     int (*setup)(struct problem *p, struct failure *why);
     /* Terms that all points share at the time t >= 0, freed by free(); NULL if there are none. */
     void *(*prepare)(const struct problem *p, double t);
-    /* Exact solution at x and time t; `shared` is the result of `prepare`.  NULL if `prepare` is NULL. */
-    struct exact (*prepared)(const struct problem *p, const void *shared, const double *x, double t);
+    /* Exact solution at x and time t >= 0 s; `shared` is the result of `prepare`, or NULL. */
+    struct exact (*exact)(const struct problem *p, const void *shared, const double *x, double t);
     /* The same at the n points (x[0][i], x[1][i], ...) for scenes in which lattice points share more work; else
      * NULL. */
     void (*at_points)(const struct problem *p, const void *shared, size_t n, const double *const *x, double t,
                       struct exact *e);
-    /* Exact solution at x and time t >= 0 s for scenes without `prepare`; else NULL (see scene_exact). */
-    struct exact (*exact)(const struct problem *p, const double *x, double t);
     /* Second form of the temperature, derived independently, to check the reference.  Every scene has one. */
     struct exact (*second)(const struct problem *p, const double *x, double t);
     /* Solution as printed in the source, K, if it differs from `exact`; else NULL. */

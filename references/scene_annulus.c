@@ -104,7 +104,8 @@ static double steady(const double *v, double r, double theta) {
     return v[TM] + v[B] * pow(r / v[R2], 3) * cos(2 * theta + v[PHASE]);
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     const double *v = p->param;
     int m = (int)v[MODE];
     double r = hypot(x[0], x[1]), theta = atan2(x[1], x[0]), decay = v[K] / v[RHO_C] * v[LAMBDA] * v[LAMBDA] * t;
@@ -124,18 +125,18 @@ static struct exact exact(const struct problem *p, const double x[2], double t) 
         .gradient_bound = {gradient_bound, gradient_bound}};
 }
 
-static double initial(const struct problem *p, const double x[2]) {
-    return exact(p, x, 0).temperature;
+static double initial(const struct problem *p, const double *x) {
+    return exact(p, NULL, x, 0).temperature;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2], double t) {
+static double wall(const struct problem *p, enum side s, const double *x, double t) {
     (void)t;
     const double *v = p->param;
     double theta = atan2(x[1], x[0]);
     return s == X_LO ? steady(v, v[R1], theta) : 3 * v[K] * v[B] / v[R2] * cos(2 * theta + v[PHASE]);
 }
 
-static double source(const struct problem *p, const double x[2]) {
+static double source(const struct problem *p, const double *x) {
     const double *v = p->param;
     double r = hypot(x[0], x[1]) / v[R2];
     return -5 * v[K] * v[B] / (v[R2] * v[R2]) * r * cos(2 * atan2(x[1], x[0]) + v[PHASE]);
@@ -164,7 +165,7 @@ static int setup(struct problem *p, struct failure *why) {
 }
 
 /* cos(2 theta + phase) r^2 is a polynomial in x and y. */
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     const double *v = p->param;
     int m = (int)v[MODE];
     double lambda = first_root(p, march), r = hypot(x[0], x[1]), decay = v[K] / v[RHO_C] * lambda * lambda * t;

@@ -75,7 +75,8 @@ static double wall(const struct problem *p, enum side s, const double *x, double
     return axis == 0 ? S : axis == 1 ? flux : S + flux / p->robin[s];
 }
 
-static struct exact exact(const struct problem *p, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     const double *v = p->param, *k = p->material[0].k;
     double q[3] = {2 * M_PI / v[WIDTH], M_PI / v[HEIGHT], v[Q_Z]}, from[3] = {0, 0, v[DEPTH] / 2}, slope[3];
     double factor[3], change[3], exponent = 0, turns = 0;

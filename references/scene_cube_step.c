@@ -101,7 +101,8 @@ static struct exact evaluate(const struct problem *p, const double *x, double t,
     return product(p, u);
 }
 
-static struct exact exact(const struct problem *p, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     return evaluate(p, x, t, series_box);
 }
 

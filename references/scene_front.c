@@ -58,7 +58,8 @@ static double rounding(const struct problem *p, double x, double t) {
     return 2 * DBL_EPSILON * (p->param[C] * t + p->param[X0] + fabs(x));
 }
 
-static struct exact exact(const struct problem *p, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     double xi = behind(p, x[0], t), d = rounding(p, x[0], t), T = temperature(p, xi);
     double apart = fmax(temperature(p, xi + d) - T, T - temperature(p, xi - d));
     struct exact e = {.temperature = T,

@@ -79,7 +79,7 @@ static double width_at(const struct problem *p, double t) {
 }
 
 /* Returns 1 if x is a corner, and sets *e to the mean of both sides. */
-static int corner(const struct problem *p, const double x[2], struct exact *e) {
+static int corner(const struct problem *p, const double *x, struct exact *e) {
     const double *v = p->param;
     int at_x = x[0] <= 0 || x[0] >= v[WIDTH], at_y = x[1] <= 0 || x[1] >= v[HEIGHT];
     if (!at_x || !at_y) return 0;
@@ -99,7 +99,7 @@ static void *prepare(const struct problem *p, double t) {
     return r;
 }
 
-static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
     double start = p->param[T0], rounding = 2 * DBL_EPSILON * fabs(start);
     struct exact e = {.temperature = start};
     if (t == 0 || corner(p, x, &e)) return e;
@@ -110,7 +110,7 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
                           .gradient_bound = {T.slope[0].error, T.slope[1].error}};
 }
 
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     const double *v = p->param, W = v[WIDTH], B = v[HEIGHT], s = width_at(p, t);
     const struct {
         double T, xi, W, eta, B;
@@ -139,7 +139,7 @@ static double published_coefficient(const double *v, int m, int p) {
 }
 
 /* Eqs. 2-7 as printed.  The series of eq. 2 are summed in closed form, that of eq. 4 down to exponents of -40. */
-static double published(const struct problem *p, const double x[2], double t) {
+static double published(const struct problem *p, const double *x, double t) {
     enum { MODES = 400 };
     const double *v = p->param, a = v[WIDTH], b = v[HEIGHT], c = pow(width_at(p, t) / 2, 2);
     double T =
@@ -161,7 +161,7 @@ const struct scene scene_plate = {
     .params = params,
     .setup = setup,
     .prepare = prepare,
-    .prepared = prepared,
+    .exact = exact,
     .second = second,
     .published = published,
     .odd = {{0.13, 0.07, 0.31, 0.57, 0.83, 1.19, 0.11, 1, 23.7}, 1, 0.001, 20},

@@ -10,8 +10,8 @@
  * is steady to round-off after 210000 s (--t-end 2.5e5).
  *
  * The solution is the response to the hot side plus the decay of the initial data (cooled_plate.c: early half lines
- * and modes).  The second form is a steady series along x or y minus the double series of the transient
- * (cooled_plate_series.c).  The temperature is continuous at t > 0; its gradient has a logarithmic singularity at
+ * and modes).  The second form is a steady series along x or y minus the double series of the transient.
+ * The temperature is continuous at t > 0; its gradient has a logarithmic singularity at
  * (width, 0).
  *
  * Restrictions: isotropic; b >= 0; extents within a factor of 10 of each other. */
@@ -92,13 +92,13 @@ static void at_points(const struct problem *p, const void *shared, size_t n, con
     free(T);
 }
 
-static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
     struct exact e;
     at_points(p, shared, 1, (const double *const[]){&x[0], &x[1]}, t, &e);
     return e;
 }
 
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     const double *v = p->param;
     if (t == 0) return (struct exact){.temperature = v[T0]};
     struct approx T =
@@ -114,7 +114,7 @@ const struct scene scene_plate_cooling = {
     .odd = {{0.53, 0.91, 41, 2.9e6, 83, 29, 630, 7, 5000}, 80, 0.008, 2500},
     .setup = setup,
     .prepare = prepare,
-    .prepared = prepared,
+    .exact = exact,
     .at_points = at_points,
     .second = second,
 };

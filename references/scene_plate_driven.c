@@ -85,7 +85,8 @@ static struct driven air_wave(const double *v, double complex s) {
     return (struct driven){.p = s, .size = v[B] * v[AIR] / both, .loss = 2 * v[AIR] / both, .L = v[HEIGHT], .far = 1};
 }
 
-static struct exact exact(const struct problem *p, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     const double *v = p->param, mu = v[MU], nu = nu_of(v), lost = 20 * DBL_EPSILON;
     struct driven flux = flux_wave(v, csqrt((I * v[OMEGA_Q] * v[RHO_C] + v[K_Y] * mu * mu) / v[K_X]));
     struct driven air = air_wave(v, csqrt((I * v[OMEGA_A] * v[RHO_C] + v[K_X] * nu * nu) / v[K_Y]));
@@ -129,7 +130,7 @@ static struct exact second(const struct problem *p, const double *x, double t) {
 }
 
 static double initial(const struct problem *p, const double *x) {
-    return exact(p, x, 0).temperature;
+    return exact(p, NULL, x, 0).temperature;
 }
 
 /* The amplitude that the flux causes is largest on its side; the air's is below B. */

@@ -85,7 +85,8 @@ static double wall(const struct problem *p, enum side s, const double *x, double
     return p->side[s] == ROBIN ? S.T + flux / p->robin[s] : S.T;
 }
 
-static struct exact exact(const struct problem *p, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     struct profile S = steady(p, x), Z = transient(p, x, t);
     double size = fabs(p->param[TM]) + 3 * p->param[B], exponent = fmin(decay(p) * t, 800);
     double left = p->param[A] * exp(-exponent), error = DBL_EPSILON * (8 * size + left * (16 + 6 * exponent));
@@ -122,7 +123,7 @@ static struct exact second(const struct problem *p, const double *x, double t) {
     const double *v = p->param;
     double complex z = rate_x * x[0] / v[WIDTH] + I * (rate_y * x[1] / v[HEIGHT] + phase_y);
     double Z = v[A] / 4 * (1 - cos(2 * M_PI * x[0] / v[WIDTH])) * (1 - cos(2 * M_PI * x[1] / v[HEIGHT]));
-    struct exact e = exact(p, x, t);
+    struct exact e = exact(p, NULL, x, t);
     return (struct exact){.temperature = v[TM] + v[B] * creal(cexp(z)) + Z / exp(fmin(decay(p) * t, 700)),
                           .error_bound = 2 * e.error_bound};
 }

@@ -55,35 +55,35 @@ static const struct param params[] = {
 
 static const double rate_x = 0.8, rate_y = 1.1, phase_y = 0.4; /* constants of S */
 
-static double steady(const struct problem *p, const double x[2]) {
+static double steady(const struct problem *p, const double *x) {
     return 1 + 0.5 * exp(rate_x * x[0] / p->param[WIDTH]) * cos(rate_y * x[1] / p->param[HEIGHT] + phase_y);
 }
 
 /* dS/dy, K/m */
-static double slope_y(const struct problem *p, const double x[2]) {
+static double slope_y(const struct problem *p, const double *x) {
     double b = rate_y / p->param[HEIGHT];
     return -0.5 * b * exp(rate_x * x[0] / p->param[WIDTH]) * sin(b * x[1] + phase_y);
 }
 
 /* Derivative of R of that order, 0 to 2, times width^order. */
-static double shape(const struct problem *p, const double x[2], int order) {
+static double shape(const struct problem *p, const double *x, int order) {
     double a = M_PI * x[0] / p->param[WIDTH];
     if (order == 1) return M_PI * (cos(a) - 0.3 * cos(3 * a));
     return order == 0 ? sin(a) - 0.1 * sin(3 * a) : M_PI * M_PI * (0.9 * sin(3 * a) - sin(a));
 }
 
-static double source(const struct problem *p, const double x[2]) {
+static double source(const struct problem *p, const double *x) {
     const double *v = p->param, a = rate_x / v[WIDTH], b = rate_y / v[HEIGHT];
     double kept = (b * b * v[K_Y] - a * a * v[K_X]) * (steady(p, x) - 1);
     return v[RISE] > 0 ? kept + v[RISE] * v[RHO_C] * shape(p, x, 0) : kept;
 }
 
-static double source_rate(const struct problem *p, const double x[2]) {
+static double source_rate(const struct problem *p, const double *x) {
     const double *v = p->param;
     return -v[RISE] * v[K_X] * shape(p, x, 2) / (v[WIDTH] * v[WIDTH]);
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2], double t) {
+static double wall(const struct problem *p, enum side s, const double *x, double t) {
     (void)t;
     double at[2] = {x[0], x[1]};
     at[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
@@ -91,7 +91,8 @@ static double wall(const struct problem *p, enum side s, const double x[2], doub
     return p->param[K_Y] * (s == Y_LO ? -slope_y(p, at) : slope_y(p, at));
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     const double *v = p->param, q = 2 * M_PI / v[WIDTH], r = M_PI / v[HEIGHT];
     double lambda = (v[K_X] * q * q + v[K_Y] * r * r) / v[RHO_C],
            exponent = fmin(lambda * t, 800); /* exp(-800) = 0 */
@@ -107,7 +108,7 @@ static struct exact exact(const struct problem *p, const double x[2], double t) 
                                              DBL_EPSILON * (16 / v[HEIGHT] + r * rounding)}};
 }
 
-static double initial(const struct problem *p, const double x[2]) {
+static double initial(const struct problem *p, const double *x) {
     const double *v = p->param, q = 2 * M_PI / v[WIDTH], r = M_PI / v[HEIGHT];
     return steady(p, x) + v[A] * sin(q * x[0]) * cos(r * x[1]);
 }
@@ -130,21 +131,21 @@ static int setup(struct problem *p, struct failure *why) {
     return STATUS_OK;
 }
 
-static double transient_start(const struct problem *p, const double x[2]) {
+static double transient_start(const struct problem *p, const double *x) {
     return initial(p, x) - steady(p, x);
 }
 
 /* Additional part of G for `rise`, divided by rho_c: the constant term (K s^-1) and the factor of t (K s^-2). */
-static double heated(const struct problem *p, const double x[2]) {
+static double heated(const struct problem *p, const double *x) {
     return p->param[RISE] * shape(p, x, 0);
 }
 
-static double heated_more(const struct problem *p, const double x[2]) {
+static double heated_more(const struct problem *p, const double *x) {
     return source_rate(p, x) / p->param[RHO_C];
 }
 
 /* Integral over s from 0 to t of exp((t - s)L) times the additional part of G at s. */
-static struct exact duhamel(const struct problem *p, const double x[2], double t) {
+static struct exact duhamel(const struct problem *p, const double *x, double t) {
     enum { NODES = 24 };
     static const int n[2] = {16, 12};
     struct spectral *part[2] = {spectral_alloc(p, n, heated), spectral_alloc(p, n, heated_more)};
@@ -162,7 +163,7 @@ static struct exact duhamel(const struct problem *p, const double x[2], double t
     return sum;
 }
 
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     static const int n[2] = {16, 12};
     struct spectral *s = spectral_alloc(p, n, transient_start);
     struct exact e = spectral_at(s, x, t);

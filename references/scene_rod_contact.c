@@ -44,7 +44,7 @@ static int right_of_contact(const struct problem *p, double x) {
     return x >= p->param[X_C] - 1e-12 * p->param[L]; /* points within round-off of x_c belong to the right half */
 }
 
-static double initial(const struct problem *p, const double x[2]) {
+static double initial(const struct problem *p, const double *x) {
     return p->param[right_of_contact(p, x[0]) ? T2 : T1];
 }
 
@@ -77,7 +77,8 @@ static int setup(struct problem *p, struct failure *why) {
     return STATUS_OK;
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     const double *v = p->param;
     if (t == 0) return (struct exact){.temperature = initial(p, x)};
     double e1 = sqrt(v[K1] * v[RHO_C1]), e2 = sqrt(v[K2] * v[RHO_C2]), from = x[0] - v[X_C];
@@ -91,7 +92,7 @@ static struct exact exact(const struct problem *p, const double x[2], double t) 
                           .gradient_bound = {walls * 10 / s + DBL_EPSILON * size * edge * (8 + 6 * z * z)}};
 }
 
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     const double *v = p->param;
     struct layers w = {.width = {v[L] + v[X_C], v[L] - v[X_C]},
                        .k = {v[K1], v[K2]},

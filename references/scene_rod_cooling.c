@@ -104,7 +104,7 @@ static void *prepare(const struct problem *p, double t) {
     return g;
 }
 
-static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
     const struct shared *g = shared;
     const double *v = p->param;
     struct exact e = {.temperature = v[T0], .error_bound = g->error[0], .gradient_bound = {g->error[1]}};
@@ -127,7 +127,7 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
 
 /* The transform of T - T0 is ((T1 - T0) (k q cosh q d + b sinh q d) + (T_a - T0) b sinh q x)/z/(k q cosh q L + b
  * sinh q L), q = sqrt(z rho_c/k). */
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     const double *v = p->param;
     double d = v[L] - x[0], sum = 0;
     if (t == 0) return (struct exact){.temperature = v[T0]};
@@ -152,6 +152,6 @@ const struct scene scene_rod_cooling = {
     .odd = {{0.37, 41, 2.9e6, 31, 97, 630, 7, 450}, 90, 0.004, 200},
     .setup = setup,
     .prepare = prepare,
-    .prepared = prepared,
+    .exact = exact,
     .second = second,
 };

@@ -33,7 +33,8 @@ static const struct param params[] = {
 };
 
 /* Rounding: 4 eps relative in the rate, 2 eps relative in the phase. */
-static struct exact exact(const struct problem *p, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     double q = p->param[MODE] * M_PI / p->param[L], rate = p->param[KAPPA] * q * q;
     double amplitude = p->param[A] * exp(-rate * t), wave = amplitude * cos(q * x[0]);
     double rounding = DBL_EPSILON * amplitude * (4 + 2 * q * fabs(x[0]) + 5 * rate * t);
@@ -43,8 +44,8 @@ static struct exact exact(const struct problem *p, const double x[2], double t) 
                           .gradient_bound = {q * rounding}};
 }
 
-static double initial(const struct problem *p, const double x[2]) {
-    return exact(p, x, 0).temperature;
+static double initial(const struct problem *p, const double *x) {
+    return exact(p, NULL, x, 0).temperature;
 }
 
 static int setup(struct problem *p, struct failure *why) {
@@ -62,7 +63,7 @@ static int setup(struct problem *p, struct failure *why) {
     return STATUS_OK;
 }
 
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     static const int n[2] = {128, 1}; /* four times the highest mode */
     struct spectral *s = spectral_alloc(p, n, initial);
     struct exact e = spectral_at(s, x, t);

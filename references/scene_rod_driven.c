@@ -49,7 +49,8 @@ static struct driven wave_of(const double *v) {
     return (struct driven){.p = csqrt(I * (v[OMEGA] / v[KAPPA])), .size = v[A], .loss = 0, .L = v[L], .far = -1};
 }
 
-static struct exact exact(const struct problem *p, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     const double *v = p->param, turned = v[OMEGA] * t;
     struct driven wave = wave_of(v);
     struct curve u = driven_now(&wave, x[0], turned + v[PHASE], turned + fabs(v[PHASE]));
@@ -68,7 +69,7 @@ static struct exact second(const struct problem *p, const double *x, double t) {
 }
 
 static double initial(const struct problem *p, const double *x) {
-    return exact(p, x, 0).temperature;
+    return exact(p, NULL, x, 0).temperature;
 }
 
 static int setup(struct problem *p, struct failure *why) {

@@ -44,23 +44,24 @@ static struct exact scaled(const struct problem *p, double sigma, struct curve g
                           .gradient_bound = {peak * (g.slope.error + rounding * fabs(g.slope.value))}};
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     double sigma = sigma_at(p, t);
     return scaled(p, sigma, series_gauss(x[0], p->param[L], sigma));
 }
 
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     double sigma = sigma_at(p, t);
     return scaled(p, sigma, series_gauss_other(x[0], p->param[L], sigma));
 }
 
-static double published(const struct problem *p, const double x[2], double t) {
+static double published(const struct problem *p, const double *x, double t) {
     double sigma = sigma_at(p, t), z = x[0] / sigma;
     return p->param[SIGMA0] / sigma * exp(-z * z / 2);
 }
 
-static double initial(const struct problem *p, const double x[2]) {
-    return exact(p, x, 0).temperature;
+static double initial(const struct problem *p, const double *x) {
+    return exact(p, NULL, x, 0).temperature;
 }
 
 static int setup(struct problem *p, struct failure *why) {

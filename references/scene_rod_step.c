@@ -38,7 +38,7 @@ static double width_at(const struct problem *p, double t) {
     return sqrt(4 * p->param[KAPPA] * t);
 }
 
-static double initial(const struct problem *p, const double x[2]) {
+static double initial(const struct problem *p, const double *x) {
     return series_in_box(x[0], p->param[A]) ? p->param[T0] : 0;
 }
 
@@ -66,15 +66,16 @@ static struct exact scaled(const struct problem *p, struct curve u) {
                           .gradient_bound = {peak * (u.slope.error + DBL_EPSILON * fabs(u.slope.value))}};
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     return scaled(p, series_box(x[0], p->param[L], p->param[A], width_at(p, t)));
 }
 
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     return scaled(p, series_box_other(x[0], p->param[L], p->param[A], width_at(p, t)));
 }
 
-static double published(const struct problem *p, const double x[2], double t) {
+static double published(const struct problem *p, const double *x, double t) {
     return p->param[T0] * series_box_line(x[0], p->param[A], width_at(p, t));
 }
 

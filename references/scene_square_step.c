@@ -38,7 +38,7 @@ static double width_at(const struct problem *p, int kappa, double t) {
     return sqrt(4 * p->param[kappa] * t);
 }
 
-static double initial(const struct problem *p, const double x[2]) {
+static double initial(const struct problem *p, const double *x) {
     return series_in_box(x[0], p->param[A]) && series_in_box(x[1], p->param[B]) ? p->param[T0] : 0;
 }
 
@@ -79,7 +79,8 @@ static struct curve rod(const struct problem *p, int axis, double x, double t) {
     return series_box(x, p->param[L], p->param[axis ? B : A], width_at(p, axis ? KAPPA_Y : KAPPA_X, t));
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     return product(p, rod(p, 0, x[0], t), rod(p, 1, x[1], t));
 }
 
@@ -95,12 +96,12 @@ static void at_points(const struct problem *p, const void *shared, size_t n, con
     }
 }
 
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     return product(p, series_box_other(x[0], p->param[L], p->param[A], width_at(p, KAPPA_X, t)),
                    series_box_other(x[1], p->param[L], p->param[B], width_at(p, KAPPA_Y, t)));
 }
 
-static double published(const struct problem *p, const double x[2], double t) {
+static double published(const struct problem *p, const double *x, double t) {
     return p->param[T0] * series_box_line(x[0], p->param[A], width_at(p, KAPPA_X, t)) *
            series_box_line(x[1], p->param[B], width_at(p, KAPPA_Y, t));
 }

@@ -5,7 +5,7 @@
  *     T(0, t) = T1,   T(L, t) = T2,   T(x, 0) = T2
  *
  * In the steady state the same flux q crosses both layers in series, q = (T1 - T2)/(x_c/k1 + (L - x_c)/k2), and T is
- * linear in each layer (Carslaw and Jaeger 1959, section 3.2).  Transient modes are added (layers_modes.c); while
+ * linear in each layer (Carslaw and Jaeger 1959, section 3.2).  Transient modes are added; while
  * they are too many, the Laplace transform is used (layers.c).  Each form checks the other.
  *
  * End time: at the defaults the slowest mode decays at 15.4 s^-1 (nearly kappa1 (pi/(2 x_c))^2, an insulated first
@@ -87,7 +87,7 @@ static void *prepare(const struct problem *p, double t) {
     return share(p, t, 0);
 }
 
-static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
     const struct shared *s = shared;
     double from = x[0] - p->param[X_C];
     if (t == 0) return (struct exact){.temperature = p->start};
@@ -98,9 +98,9 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
                           .gradient_bound = {T.slope.error}};
 }
 
-static struct exact second(const struct problem *p, const double x[2], double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     struct shared *s = share(p, t, 1);
-    struct exact e = prepared(p, s, x, t);
+    struct exact e = exact(p, s, x, t);
     free(s);
     return e;
 }
@@ -112,7 +112,7 @@ const struct scene scene_wall_composite = {
     .params = params,
     .setup = setup,
     .prepare = prepare,
-    .prepared = prepared,
+    .exact = exact,
     .second = second,
     .odd = {{1.1, 0.37, 0.9, 1.3, 1.2, 0.013, 0.021, 0.3, 4}, 1, 0.01, 0.5},
 };

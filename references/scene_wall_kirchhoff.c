@@ -72,7 +72,8 @@ static double source_at(const struct problem *p, const double *x, double t) {
            p->k_0 * p->k_beta * slope * slope;
 }
 
-static struct exact exact(const struct problem *p, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     struct profile S = steady(p, x[0]), Z = transient(p, x[0], t);
     double least = fmin(kirchhoff_k(p, p->param[T1]), kirchhoff_k(p, p->param[T2]));
     double size = fabs(p->param[T1]) + fabs(p->param[T2]) + fabs(p->k_ref), ratio = p->material[0].k[0] / least;
@@ -116,7 +117,7 @@ static struct exact second(const struct problem *p, const double *x, double t) {
         *(part < wanted ? &from : &to) = T;
     }
     double half = M_PI * x[0] / (2 * v[L]), Z = 2 * v[A] * sin(half) * cos(half) / exp(fmin(decay(p) * t, 700));
-    struct exact e = exact(p, x, t);
+    struct exact e = exact(p, NULL, x, t);
     return (struct exact){.temperature = to + Z, .error_bound = 2 * e.error_bound};
 }
 

@@ -38,7 +38,8 @@ static const struct param params[] = {
     {NULL, 0, NULL, NULL, NULL},
 };
 
-static struct exact exact(const struct problem *p, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     const double *v = p->param;
     double q[DIM_MAX] = {0}, rate = 0, phase = 0, turns = 0;
     for (int a = 0; a < p->dim; a++) {
@@ -58,7 +59,7 @@ static struct exact exact(const struct problem *p, const double *x, double t) {
 }
 
 static double initial(const struct problem *p, const double *x) {
-    return exact(p, x, 0).temperature;
+    return exact(p, NULL, x, 0).temperature;
 }
 
 static int setup(struct problem *p, struct failure *why) {

@@ -14,8 +14,7 @@ void snapshot_free(struct snapshot *s) {
 }
 
 struct exact snapshot_at(const struct snapshot *s, const double *x) {
-    if (s->scene->prepared) return s->scene->prepared(s->problem, s->shared, x, s->time);
-    return scene_exact(s->scene, s->problem, x, s->time);
+    return s->scene->exact(s->problem, s->shared, x, s->time);
 }
 
 void snapshot_at_points(const struct snapshot *s, size_t n, const double *x, const double *y, const double *z,

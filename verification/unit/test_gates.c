@@ -209,8 +209,8 @@ static void cooled_walls_keep_both_limits(void **state) {
 /* A reference whose forms disagree, or whose bound is large or not a number. */
 static double gap, bound;
 
-static struct exact one(const struct problem *p, const double x[2], double t) {
-    (void)p, (void)x, (void)t;
+static struct exact one(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)p, (void)shared, (void)x, (void)t;
     return (struct exact){.temperature = 2.5, .error_bound = bound};
 }
 

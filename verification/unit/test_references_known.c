@@ -167,11 +167,11 @@ static void gradients_hold_at_the_centre_of_a_ball(void **state) {
     for (int m = 0; m < 2; m++) {
         struct problem p;
         struct scene s = *scene_find("ball-mode");
-        s.odd.param[3] = 1, s.odd.param[4] = m;
+        s.odd.param[3] = 1, s.odd.param[8] = m;
         odd_setup(&s, &p);
-        double lambda = p.param[10], amplitude = p.param[6] * sqrt(3 / (4 * M_PI)) * lambda / (3 * p.radius[1]);
+        double lambda = p.param[10], amplitude = p.param[5] * sqrt(3 / (4 * M_PI)) * lambda / (3 * p.radius[1]);
         struct exact e = scene_exact(&s, &p, centre, 0);
-        assert_near(e.temperature, p.param[5], e.error_bound);
+        assert_near(e.temperature, p.param[4], e.error_bound);
         for (int a = 0; a < 3; a++) assert_near(e.gradient[a], a == (m ? 0 : 2) ? amplitude : 0, e.gradient_bound[a]);
     }
     struct problem p;

@@ -24,9 +24,6 @@
  * one of the two, with up to 600 modes in the series.
  *
  * Restrictions: 1e-12 <= b R/k <= 1e12. */
-#include "references/round_cooling.h"
-
-#include "references/bessel.h"
 #include "references/params.h"
 #include "references/roots.h"
 #include "references/talbot.h"
@@ -34,6 +31,7 @@
 #include "solver/status.h"
 #include "solver/shape.h"
 
+#include <complex.h>
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -51,6 +49,47 @@ struct shared {
     double complex q[TALBOT_NODES], part[TALBOT_NODES]; /* q R; weight/z b/(k q I_1 + b I_0), scaled by exp(q R) */
     double error[2];                                    /* K, K m^-1 */
 };
+
+/* ---- Modified Bessel functions ---- */
+
+/* Scaled modified Bessel functions of a complex argument on Talbot's contour.
+ *
+ * For |z| <= 30: the mean over tau of exp(z (cos tau - 1)) cos(n tau) by the trapezoidal rule.  Its terms are at
+ * most 1; N points give the aliasing error exp(-z) I_(N-n)(z).  For |z| > 30: both parts of Hankel's series
+ * (Abramowitz and Stegun 1964, 9.7.1 and 9.2.5).  For Im z >= 0
+ *
+ *     exp(-z) I_n = (S(-1/z) + i^(1 + 2n) exp(-2 z) S(1/z))/sqrt(2 pi z)
+ *
+ * and the smallest term of S is below exp(-2 |z|). */
+
+static double complex by_integral(int n, double complex z) {
+    enum { N = 96 };
+    double complex sum = 0;
+    for (int k = 0; k <= N / 2; k++) {
+        double tau = 2 * M_PI * k / N, c = cos(tau);
+        sum += (k == 0 || k == N / 2 ? 1 : 2) * cexp(z * (c - 1)) * (n ? c : 1);
+    }
+    return sum / N;
+}
+
+static double complex by_hankel(int n, double complex z) {
+    enum { TERMS = 22 };
+    double complex term = 1, even = 1, odd = 0, second = 0;
+    for (int k = 1; k <= TERMS; k++) {
+        term *= (4 * n * n - (2 * k - 1) * (2 * k - 1)) / (8.0 * k * z);
+        if (k % 2)
+            odd += term;
+        else
+            even += term;
+    }
+    if (creal(z) < 20) second = (cimag(z) < 0 ? -I : I) * (n ? -1 : 1) * cexp(-2 * z) * (even + odd);
+    return (even - odd + second) / csqrt(2 * M_PI * z);
+}
+
+/* exp(-z) I_n(z) for n = 0 or 1, Re z >= 0 and |arg z| < 1.4.  Error: about 1e-15 of exp(-z) I_0(z). */
+static double complex bessel_scaled(int n, double complex z) {
+    return cabs(z) <= 30 ? by_integral(n, z) : by_hankel(n, z);
+}
 
 /* ---- The functions of a disc and of a ball ---- */
 
@@ -162,7 +201,7 @@ static struct shared *prepare_form(const struct problem *p, double t, int other)
     return g;
 }
 
-void *round_cooling_prepare(const struct problem *p, double t) {
+static void *prepare(const struct problem *p, double t) {
     return prepare_form(p, t, 0);
 }
 
@@ -192,7 +231,7 @@ static double sum_transform(const struct problem *p, const struct shared *g, dou
     return v[T0] + sum;
 }
 
-struct exact round_cooling_at(const struct problem *p, const void *shared, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
     const struct shared *g = shared;
     const double *v = p->param;
     double r = hypot(x[0], x[1]), slope = 0;
@@ -206,14 +245,14 @@ struct exact round_cooling_at(const struct problem *p, const void *shared, const
     return e;
 }
 
-struct exact round_cooling_second(const struct problem *p, const double *x, double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     struct shared *g = prepare_form(p, t, 1);
-    struct exact e = round_cooling_at(p, g, x, t);
+    struct exact e = exact(p, g, x, t);
     free(g);
     return e;
 }
 
-int round_cooling_setup(const struct param *params, int dim, struct problem *p, struct failure *why) {
+static int setup(const struct param *params, int dim, struct problem *p, struct failure *why) {
     static const int any[] = {T0, T_A, -1};
     const double *v = p->param;
     if (params_start(params, p, any, why)) return STATUS_INPUT;
@@ -231,3 +270,59 @@ int round_cooling_setup(const struct param *params, int dim, struct problem *p, 
     p->held[X_HI] = v[T_A];
     return STATUS_OK;
 }
+
+/* ---- The two scenes ---- */
+
+static const struct param disc_params[] = {
+    {"radius", 1, "m", "radius of the disc", NULL},
+    {"k", 0.01, "W/m/K", "conductivity", NULL},
+    {"rho_c", 1, "J/m^3/K", "heat capacity", NULL},
+    {"T0", 1, "K", "initial temperature", NULL},
+    {"T_a", 0, "K", "temperature of the air", NULL},
+    {"b", 0.02, "W/m^2/K", "heat transfer coefficient", NULL},
+    {"t_end", 5, "s", "end time", NULL},
+    {NULL, 0, NULL, NULL, NULL},
+};
+
+static int disc_setup(struct problem *p, struct failure *why) {
+    return setup(disc_params, 2, p, why);
+}
+
+const struct scene scene_disc_cooling = {
+    .name = "disc-cooling",
+    .about = "an initially warm disc cooled by the surrounding air",
+    .citation = "Carslaw and Jaeger 1959, section 7.7",
+    .params = disc_params,
+    .odd = {{1.3, 0.017, 1.9, 0.97, 0.21, 0.037, 11}, 1, 0.02, 3},
+    .setup = disc_setup,
+    .prepare = prepare,
+    .exact = exact,
+    .second = second,
+};
+
+static const struct param ball_params[] = {
+    {"radius", 1, "m", "radius of the ball", NULL},
+    {"k", 0.01, "W/m/K", "conductivity", NULL},
+    {"rho_c", 1.7, "J/m^3/K", "heat capacity", NULL},
+    {"T0", 1, "K", "initial temperature", NULL},
+    {"T_a", 0, "K", "temperature of the air", NULL},
+    {"b", 0.02, "W/m^2/K", "heat transfer coefficient", NULL},
+    {"t_end", 5, "s", "end time", NULL},
+    {NULL, 0, NULL, NULL, NULL},
+};
+
+static int ball_setup(struct problem *p, struct failure *why) {
+    return setup(ball_params, 3, p, why);
+}
+
+const struct scene scene_ball_cooling = {
+    .name = "ball-cooling",
+    .about = "an initially warm ball cooled by the surrounding air",
+    .citation = "Carslaw and Jaeger 1959, section 9.4",
+    .params = ball_params,
+    .odd = {{1.3, 0.017, 1.9, 0.97, 0.21, 0.037, 11}, 1, 0.02, 3},
+    .setup = ball_setup,
+    .prepare = prepare,
+    .exact = exact,
+    .second = second,
+};

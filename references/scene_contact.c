@@ -26,8 +26,6 @@
  * (`turn`).
  *
  * Restrictions: A < Tm, so that T > 0; modes <= 20; widths, k and rho_c of the materials within a factor of 1e6. */
-#include "references/contact.h"
-
 #include "references/params.h"
 #include "references/roots.h"
 
@@ -110,7 +108,8 @@ static double across(const struct mode *m, int dim, const double *x, int sine) {
     return product;
 }
 
-struct exact contact_exact(const struct problem *p, const double *x, double t) {
+static struct exact exact(const struct problem *p, const void *shared, const double *x, double t) {
+    (void)shared;
     const double *v = p->param;
     struct mode m = mode_of(p, v[LAMBDA]);
     int right = x[0] >= v[W1], wide = 0; /* wide: the layer with the maximum of phi */
@@ -138,10 +137,10 @@ struct exact contact_exact(const struct problem *p, const double *x, double t) {
 }
 
 static double initial(const struct problem *p, const double *x) {
-    return contact_exact(p, x, 0).temperature;
+    return exact(p, NULL, x, 0).temperature;
 }
 
-int contact_setup(const struct param *params, int dim, struct problem *p, struct failure *why) {
+static int setup(const struct param *params, int dim, struct problem *p, struct failure *why) {
     const int any[] = {MODE, dim == 3 ? MODE_Z : -1, -1};
     static const int pair[][2] = {{W1, W2}, {K1, K2}, {RHO_C1, RHO_C2}};
     const double *v = p->param;
@@ -250,7 +249,7 @@ static double largest(const double vector[RITZ]) {
 }
 
 /* At this DEGREE the truncation error is below round-off for phases up to 2 pi. */
-struct exact contact_second(const struct problem *p, const double *x, double t) {
+static struct exact second(const struct problem *p, const double *x, double t) {
     const double *v = p->param;
     struct mode m = mode_of(p, 0);
     double vector[RITZ], next, lambda;
@@ -262,3 +261,67 @@ struct exact contact_second(const struct problem *p, const double *x, double t) 
     return (struct exact){.temperature = v[TM] + amplitude * phi * across(&m, p->dim, x, 0),
                           .error_bound = DBL_EPSILON * (RITZ * amplitude * (8 / (1 - next) + 4 * decay) + v[TM])};
 }
+
+/* ---- The two scenes ---- */
+
+static const struct param plane_params[] = {
+    {"w1", 0.4, "m", "width of the first material, x < w1", NULL},
+    {"w2", 0.6, "m", "width of the second material", NULL},
+    {"height", 0.5, "m", "extent along y", NULL},
+    {"k1", 0.02, "W/m/K", "conductivity of the first material", NULL},
+    {"rho_c1", 1, "J/m^3/K", "heat capacity of the first material", NULL},
+    {"k2", 0.002, "W/m/K", "conductivity of the second material", NULL},
+    {"rho_c2", 0.5, "J/m^3/K", "heat capacity of the second material", NULL},
+    {"mode", 1, "", "number of half waves along y, an integer", NULL},
+    {"Tm", 2, "K", "mean temperature, also that of the walls", NULL},
+    {"A", 1, "K", "initial maximum of the mode, below Tm", NULL},
+    {"t_end", 1, "s", "end time", NULL},
+    {NULL, 0, NULL, NULL, NULL},
+};
+
+static int plane_setup(struct problem *p, struct failure *why) {
+    return setup(plane_params, 2, p, why);
+}
+
+const struct scene scene_plane_contact = {
+    .name = "plane-contact",
+    .about = "the slowest mode of a rectangle of two materials in contact",
+    .citation = "Carslaw and Jaeger 1959, section 12.8",
+    .params = plane_params,
+    .setup = plane_setup,
+    .exact = exact,
+    .second = second,
+    .odd = {{0.37, 0.59, 0.83, 0.019, 1.3, 0.0023, 0.61, 2, 2.1, 1.2, 1.7}, 1, 0.003, 0.1},
+};
+
+static const struct param box_params[] = {
+    {"w1", 0.4, "m", "width of the first material, x < w1", NULL},
+    {"w2", 0.6, "m", "width of the second material", NULL},
+    {"height", 0.5, "m", "extent along y", NULL},
+    {"k1", 0.02, "W/m/K", "conductivity of the first material", NULL},
+    {"rho_c1", 1, "J/m^3/K", "heat capacity of the first material", NULL},
+    {"k2", 0.002, "W/m/K", "conductivity of the second material", NULL},
+    {"rho_c2", 0.5, "J/m^3/K", "heat capacity of the second material", NULL},
+    {"mode", 1, "", "number of half waves along y, an integer", NULL},
+    {"Tm", 2, "K", "mean temperature, also that of the walls", NULL},
+    {"A", 1, "K", "initial maximum of the mode, below Tm", NULL},
+    {"depth", 1.2, "m", "extent along z", NULL},
+    {"mode_z", 2, "", "number of half waves along z, an integer", NULL},
+    {"t_end", 1, "s", "end time", NULL},
+    {NULL, 0, NULL, NULL, NULL},
+};
+
+static int box_setup(struct problem *p, struct failure *why) {
+    return setup(box_params, 3, p, why);
+}
+
+const struct scene scene_box_contact = {
+    .name = "box-contact",
+    .about = "the slowest mode of a box of two materials in contact",
+    .citation = "Carslaw and Jaeger 1959, section 12.8",
+    .params = box_params,
+    .setup = box_setup,
+    .exact = exact,
+    .second = second,
+    .odd = {{0.37, 0.59, 0.83, 0.019, 1.3, 0.0023, 0.61, 2, 2.1, 1.2, 0.67, 1, 1.7}, 1, 0.003, 0.1},
+};
