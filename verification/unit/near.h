@@ -13,13 +13,21 @@
 
 #include <cmocka.h>
 
+/* What the assertions are about, such as a scene: named by one that fails; NULL: nothing. */
+static const char *near_about;
+
+static inline void near_failed(const char *file, int line) {
+    if (near_about) print_error("%s:\n", near_about);
+    _fail(file, line);
+}
+
 /* |got - want| <= tolerance; NaN fails. */
 #define assert_near(got, want, tolerance) near_(got, want, tolerance, #got, __FILE__, __LINE__)
 
 static inline void near_(double got, double want, double tolerance, const char *what, const char *file, int line) {
     if (fabs(got - want) <= tolerance) return;
     print_error("%s = %.17g, wanted %.17g within %g\n", what, got, want, tolerance);
-    _fail(file, line);
+    near_failed(file, line);
 }
 
 /* got < limit, or whatever `relation` says; NaN fails. */
@@ -28,7 +36,7 @@ static inline void near_(double got, double want, double tolerance, const char *
         const double got_ = (double)(got), limit_ = (double)(limit);                                                 \
         if (got_ relation limit_) break;                                                                             \
         print_error("%s %s %s: %.17g and %.17g\n", #got, #relation, #limit, got_, limit_);                           \
-        _fail(__FILE__, __LINE__);                                                                                   \
+        near_failed(__FILE__, __LINE__);                                                                             \
     } while (0)
 
 #define assert_nan(got) nan_(got, #got, __FILE__, __LINE__)
@@ -36,7 +44,7 @@ static inline void near_(double got, double want, double tolerance, const char *
 static inline void nan_(double got, const char *what, const char *file, int line) {
     if (isnan(got)) return;
     print_error("%s = %.17g, wanted NaN\n", what, got);
-    _fail(file, line);
+    near_failed(file, line);
 }
 
 /* `part` occurs in `text`, or it does not. */
@@ -46,7 +54,7 @@ static inline void nan_(double got, const char *what, const char *file, int line
 static inline void has_(const char *text, const char *part, int wanted, const char *file, int line) {
     if ((strstr(text, part) != NULL) == wanted) return;
     print_error("'%s' is %s:\n%s\n", part, wanted ? "not in" : "in", text);
-    _fail(file, line);
+    near_failed(file, line);
 }
 
 #endif

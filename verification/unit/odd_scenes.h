@@ -10,9 +10,10 @@
 
 #include "verification/unit/near.h"
 
-/* *p set up at the scene's odd parameters. */
+/* *p set up at the scene's odd parameters; assertions that fail name the scene from here on. */
 static inline void odd_setup(const struct scene *s, struct problem *p) {
     struct failure why = {0};
+    near_about = s->name;
     if (!(s->odd.scale > 0)) fail_msg("%s has no odd parameters (.odd of its struct scene)", s->name);
     scene_defaults(s, p);
     for (int i = 0; s->params[i].name; i++) p->param[i] = s->odd.param[i];
