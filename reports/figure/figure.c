@@ -70,7 +70,7 @@ static void write_lattice(const struct command_run *run, const struct figure_ser
     fprintf(out, "%.4g\n", 100 * run->result.error[NORM_L1]);
 }
 
-/* Of a cloud at its points; of a box the layer nearest to z = at. */
+/* A cloud at its points; a box in the layer nearest to z = at. */
 static void write_error(const struct command_run *run, double at, FILE *out) {
     const struct field *f = &run->field;
     size_t layer = 0, n = f->dim == 3 ? (size_t)f->shape[0] * (size_t)f->shape[1] : f->n;

@@ -78,7 +78,7 @@ int reading_run(struct reading *r, int count, struct failure *why) {
     return STATUS_OK;
 }
 
-/* Where the value of a key begins, in the outermost object or behind a text; NULL for none. */
+/* The value of a key, in the outermost object or behind a text; NULL for none. */
 static const char *find(const struct reading *r, const char *key, size_t length) {
     char member[80], name[64];
     snprintf(name, sizeof name, "%.*s", (int)length, key);

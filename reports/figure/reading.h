@@ -12,7 +12,7 @@
 struct reading {
     char command[400];      /* a run, ladder or limit, as typed after the program's name */
     char *json;             /* owned: its output; NULL where there is none */
-    struct failure failure; /* of the command line or of the run */
+    struct failure failure; /* a refused command or a failed run */
 };
 
 /* Sets the command (printf-like); nothing runs yet. */

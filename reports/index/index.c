@@ -43,7 +43,7 @@ static void put_contents(const char *dir, FILE *out) {
     fprintf(out, "</ul></nav>\n");
 }
 
-/* What was tested, and by what. */
+/* Two sentences: the tests, and the methods under test. */
 static void put_lead(FILE *out) {
     int cases = 0, solvers = 0;
     while (scenes[cases]) cases++;

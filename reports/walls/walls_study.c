@@ -138,7 +138,7 @@ static int check_refusal(const struct body *b, const char *walls, struct failure
     return refuse(why, STATUS_NUMERICAL, "heatladder %.100s was to be refused: status %d", r.command, status);
 }
 
-/* Of eight lattices at the finest spacing. */
+/* Mean and most over the eight lattices at the finest spacing. */
 static double mean_of(const double *x) {
     return gsl_stats_mean(x + RUNS - SEEDS, 1, SEEDS);
 }
