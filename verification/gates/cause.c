@@ -68,8 +68,14 @@ static int is_oblong(const struct problem *p, double aspect) {
     return p->dim > 1 && aspect > 0 && aspect != 1;
 }
 
+/* A code may have other lines for data that change. */
+static int is_steady(const struct problem *p, double aspect) {
+    (void)aspect;
+    return !problem_changes(p);
+}
+
 /* Classes of problems first: what a code has a branch for. */
-enum { CLASSES = 7, OBLONG = 9 };
+enum { CLASSES = 8, OBLONG = 10 };
 static const struct {
     int (*has)(const struct problem *p, double aspect);
     const char *in, *all; /* "in space"; "all rows that do not pass ..." */
@@ -80,6 +86,7 @@ static const struct {
                 {has_two, "with two materials", "have a second material"},
                 {has_moving, "with walls that change", "have walls that change"},
                 {has_periodic, "with periodic sides", "have periodic sides"},
+                {is_steady, "with steady data", "have steady data"},
                 {has_robin, "", "have a Robin wall"},
                 {has_source, "", "have a source"},
                 {is_oblong, "", "have cells of two widths"}};

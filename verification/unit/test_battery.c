@@ -151,13 +151,12 @@ static void bounds_follow_the_draw(void **state) {
 }
 
 /* Diagnoses from a single field: differences between two runs, for the row and for any ladder; few digits, in a
- * steady state; a conductivity to its last digit if the initial answer identifies cell means. */
+ * steady state; a conductivity to 5 % of it if the initial answer identifies cell means. */
 static void faults_hidden_in_one_field_are_diagnosed(void **state) {
     (void)state;
     static const char *const code[] = {"race", "single", "conductivity"},
                              *const rows[] = {"whole/repeat", "contact/steady", "smooth/clock"},
-                             *const says[] = {"from run to run", "rounded to 7 digits",
-                                              "conductivity were 1 % too large"};
+                             *const says[] = {"from run to run", "rounded to 7 digits", "conductivity were 1.0"};
     struct program program = {.label = "mine"};
     struct command r;
     struct failure why = {0};
