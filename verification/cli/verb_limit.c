@@ -64,7 +64,7 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
 /* Steps that SPH codes take, against the stable one. */
 static void print_customary(const struct model_problem *b, const struct step_limit *l) {
     struct customary_step custom[CUSTOMARY_STEPS];
-    int customs = customary_steps(b, custom);
+    int customs = step_limit_customary(b, custom);
     if (customs > 0) printf("  steps that SPH codes take:\n");
     for (int k = 0; k < customs; k++) {
         double times = custom[k].F / l->von_neumann;

@@ -203,7 +203,7 @@ void step_limit_json(const struct model_problem *b, const struct step_limit *l, 
              l->published, l->source, l->von_neumann, l->measured);
     json_add(j, "beta %g|radius %g|growth %g", l->beta, l->radius, l->growth);
     struct customary_step custom[CUSTOMARY_STEPS];
-    int customs = customary_steps(b, custom);
+    int customs = step_limit_customary(b, custom);
     json_array(j, "customary");
     for (int k = 0; k < customs; k++) {
         json_object(j, NULL);
@@ -236,7 +236,7 @@ static double biriukov(const char *method) {
     return 0;
 }
 
-int customary_steps(const struct model_problem *b, struct customary_step out[CUSTOMARY_STEPS]) {
+int step_limit_customary(const struct model_problem *b, struct customary_step out[CUSTOMARY_STEPS]) {
     const struct scheme *s = b->method->scheme;
     if (!s || stepper_of(b->step.stepper)->order != 1) return 0;
     double h = s->cells ? 1.1 : b->options.h, morris = h * 2 / 3, C = biriukov(b->method->name);

@@ -52,7 +52,7 @@ enum { CUSTOMARY_STEPS = 3 };
 
 /* The customary steps for the method of a resolved *b.  Returns their number: 0 for grids, and for steppers other
  * than Euler's. */
-int customary_steps(const struct model_problem *b, struct customary_step out[CUSTOMARY_STEPS]);
+int step_limit_customary(const struct model_problem *b, struct customary_step out[CUSTOMARY_STEPS]);
 
 /* Writes the members of the `limit --json` contract into an open object. */
 void step_limit_json(const struct model_problem *b, const struct step_limit *l, struct json *j);
