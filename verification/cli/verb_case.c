@@ -25,7 +25,7 @@ static int write_battery(const struct case_options *r, struct failure *why) {
     battery_words(r->battery.profile, r->battery.rungs, words, sizeof words);
     if (seeds) words_add(words, sizeof words, " --seeds %d", seeds);
     int status = battery_add(order, r->battery.profile, seed, &g, why);
-    refine_gates(&g, r->battery.rungs, 0);
+    gates_refine(&g, r->battery.rungs, 0);
     if (!status) status = battery_write(&g, seeds, r->into, &cases, why);
     if (!status)
         printf("%d gates: %s/cases.txt names %d cases; when each has its out.csv beside it:\n"

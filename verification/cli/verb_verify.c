@@ -102,7 +102,7 @@ static int collect(const struct verify_options *r, struct gate_file *file, struc
     if (r->time_order > 0) words_add(origin, ORIGIN, " --time-order %g", r->time_order);
     if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;
     if (!r->gates_path && battery_bounds(g, why)) return why->status;
-    refine_gates(g, r->battery.rungs, r->time_order);
+    gates_refine(g, r->battery.rungs, r->time_order);
     return STATUS_OK;
 }
 

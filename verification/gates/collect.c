@@ -118,20 +118,20 @@ static void add_reference(struct gates *g, const struct scene *s) {
                                 "two forms derived apart differ by no more than the sum of their bounds"});
 }
 
-/* Puts the nearest name into `hint`; for a pattern the nearest group. */
-static void nearest_name(const struct gates *g, const char *glob, char *hint, size_t size) {
-    char(*name)[TEXT] = xcalloc((size_t)g->declared, sizeof *name), typed[TEXT];
+static void copy_name(const char *id, int group, char name[TEXT]) {
+    snprintf(name, TEXT, "%.*s", group ? (int)gates_group_length(id) : TEXT - 1, id);
+}
+
+/* The id nearest to what was typed, or the group nearest to that of a pattern. */
+static void suggest(const struct gates *g, const char *glob, char *hint, size_t size) {
+    char typed[TEXT], (*name)[TEXT] = xcalloc((size_t)g->declared, sizeof *name);
     const char **names = xcalloc((size_t)g->declared + 1, sizeof *names), *nearest = NULL;
-    int pattern = glob[strcspn(glob, "*?[")] != '\0', length = pattern ? (int)strcspn(glob, "/") : (int)strlen(glob);
-    snprintf(typed, sizeof typed, "%.*s", length, glob);
-    for (int i = 0; i < g->declared; i++) {
-        const char *id = g->result[i].gate.id;
-        snprintf(name[i], sizeof name[i], "%.*s", pattern ? (int)strcspn(id, "/") : TEXT - 1, id);
-        names[i] = name[i];
-    }
+    const int group = strpbrk(glob, "*?[") != NULL;
+    copy_name(glob, group, typed);
+    for (int i = 0; i < g->declared; i++) copy_name(g->result[i].gate.id, group, name[i]), names[i] = name[i];
     if (!strpbrk(typed, "*?[")) nearest = words_nearest(names, typed);
     hint[0] = '\0';
-    if (nearest) snprintf(hint, size, "; did you mean '%.60s%s'?", nearest, pattern ? "/*" : "");
+    if (nearest) snprintf(hint, size, "; did you mean '%.60s%s'?", nearest, group ? "/*" : "");
     free(names);
     free(name);
 }
@@ -140,7 +140,7 @@ static void nearest_name(const struct gates *g, const char *glob, char *hint, si
 static int none_matches(const struct gates *g, const char *option, const char *glob, struct failure *why) {
     char hint[100];
     int file = g->origin && strncmp(g->origin, "--gates", 7) == 0;
-    nearest_name(g, glob, hint, sizeof hint);
+    suggest(g, glob, hint, sizeof hint);
     return refuse(why, STATUS_INPUT, "--%s: no gate matches '%.60s'%s (see: %s%.200s)", option, glob, hint,
                   file ? "" : "heatladder list ",
                   file        ? g->origin

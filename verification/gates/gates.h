@@ -142,6 +142,6 @@ int gates_has_order(const char *scene, const char *method);
 /* More rungs, or the order of a code in time.  rungs: of each ladder in all; further rungs halve dx, and ceilings
  * fall with the order of the band.  time_order: rows of measure slope_time get the band [P - 0.2, P + 0.5].  0 for
  * either: as written. */
-void refine_gates(struct gates *g, int rungs, double time_order);
+void gates_refine(struct gates *g, int rungs, double time_order);
 
 #endif

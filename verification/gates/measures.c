@@ -3,17 +3,21 @@
 #include "verification/gates/measures.h"
 
 #include "references/scene.h"
+#include "solver/field.h"
 #include "solver/shape.h"
 #include "solver/words.h"
 #include "verification/case/command.h"
 #include "verification/fault/diagnose.h"
 #include "verification/fault/wording.h"
-#include "verification/stability/consistency.h"
 #include "verification/judge/judge.h"
 #include "verification/judge/ladder.h"
 #include "verification/judge/norms.h"
 #include "verification/judge/run.h"
+#include "verification/judge/self_difference.h"
+#include "verification/solve/program.h"
 #include "verification/solve/symmetry.h"
+#include "verification/stability/consistency.h"
+#include "verification/stability/step_limit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -199,34 +203,6 @@ void measures_symmetry(const struct command *r, double lo, double hi, struct mea
     field_free(&b);
 }
 
-/* Raises *worst, K, to the largest temperature difference of two runs.  Returns a status; if a run fails, *m fails
- * too. */
-static int runs_apart(const struct experiment *e, const struct problem of[2], double *worst, struct measured *m) {
-    struct field f[2] = {{0}};
-    struct failure why;
-    int status = method_solve(e->method, &of[0], &e->options, &f[0], &why);
-    if (!status) status = method_solve(e->method, &of[1], &e->options, &f[1], &why);
-    if (status) measures_fail(m, &why);
-    double apart = status ? NAN : field_farthest(&f[0], f[1].T);
-    if (apart > *worst || isnan(apart)) *worst = apart; /* a NaN stays */
-    for (int k = 0; k < 2; k++) field_free(&f[k]);
-    return status;
-}
-
-void measures_robin_limits(const struct command *r, double lo, double hi, struct measured *m) {
-    static const double b[] = {0, 1e300};
-    static const enum side_kind limit[] = {NEUMANN, DIRICHLET};
-    const struct experiment *e = &r->experiment;
-    double worst = 0;
-    for (int end = 0; end < 2; end++) {
-        struct problem p[2] = {e->problem, e->problem};
-        for (int s = 0; s < 2 * e->problem.dim; s++)
-            if (e->problem.side[s] == ROBIN) p[0].robin[s] = b[end], p[1].side[s] = limit[end];
-        if (runs_apart(e, p, &worst, m)) return;
-    }
-    measures_judge(m, worst, lo, hi);
-}
-
 /* Points that fill the domain evenly and have no symmetry of it: the additive sequences of the plastic number. */
 static void odd_point(const struct problem *p, int i, double x[DIM_MAX]) {
     static const double step[DIM_MAX] = {0.7548776662466927, 0.5698402909980532, 0.3247179572447460};
@@ -283,4 +259,227 @@ const struct measure *measures_find(const char *name, struct measured *m) {
     words_unknown(names, "measure", name, &why);
     measures_fail(m, &why);
     return NULL;
+}
+
+/* ---- Another program ---- */
+
+static void skip(struct measured *m, const char *text) {
+    struct failure why;
+    refuse(&why, STATUS_SKIPPED, "%s", text);
+    measures_fail(m, &why);
+}
+
+/* Runs the same case twice.  Returns 1 if the answers can be compared, with their relative difference and the
+ * largest |T|, K.  The second run is not kept, so that it cannot read the answer of the first. */
+static int run_twice(const struct experiment *e, struct result *first, double apart[NORM_QUANTITY], double *largest,
+                     struct measured *m) {
+    struct experiment again = *e;
+    struct result second;
+    struct field a = {0}, b = {0};
+    int comparable = 0;
+    again.program.keep = NULL;
+    if (!e->program.solver) {
+        skip(m, "needs --solver: --results has one run");
+    } else if (!measures_run(e, first, &a, m) && !measures_run(&again, &second, &b, m)) {
+        comparable = self_difference_fields(&e->problem, &a, &b, apart);
+        if (!comparable) skip(m, "the points differ from run to run");
+        *largest = field_largest(&a);
+    }
+    field_free(&a);
+    field_free(&b);
+    return comparable;
+}
+
+/* If answers differ from run to run, they differ at each time step, and errors are differences of two answers. */
+static void judge_noise(const struct command *r, const struct ladder *l, struct measured *m) {
+    struct experiment e = r->experiment;
+    struct measured tried = *m;
+    double apart[NORM_QUANTITY];
+    struct result first;
+    struct diagnosis d;
+    double largest, error = ladder_finest_error(l), ceiling = r->rungs.ceiling;
+    e.options.dt = l->x[l->n - 1];
+    e.program.keep = NULL;
+    if (!e.program.solver || !run_twice(&e, &first, apart, &largest, &tried)) return;
+    if (!(apart[NORM_L1] > JUDGE_NOISE * error) || !diagnosis_repeat(apart[NORM_LINF], largest, &d)) return;
+    if (ceiling > 0 && error - 3 * apart[NORM_L1] > ceiling) return;
+    measures_diagnosed(m, &d);
+    snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
+    m->verdict = VERDICT_INCONCLUSIVE;
+}
+
+/* Compares the answers at the two finest rungs, where the error has its order. */
+static void diagnose_steps(const struct command *r, const struct ladder *l, struct measured *m) {
+    struct experiment e = r->experiment;
+    struct measured tried = *m;
+    struct result result[2];
+    struct field f[2] = {{0}, {0}};
+    int usable = e.program.solver != NULL && l->n >= 2;
+    e.program.keep = NULL;
+    for (int k = 0; k < 2 && usable; k++) {
+        e.options.dt = l->x[l->n - 2 + k];
+        usable = !measures_run(&e, &result[k], &f[k], &tried);
+    }
+    usable = usable && f[0].n == f[1].n;
+    for (size_t i = 0; usable && i < f[0].n; i++) {
+        double x[2][DIM_MAX];
+        for (int k = 0; k < 2; k++) field_place(&f[k], i, x[k]);
+        for (int a = 0; a < f[0].dim; a++) usable = usable && x[0][a] == x[1][a];
+    }
+    if (usable) {
+        struct diagnosis d;
+        for (size_t i = 0; i < f[0].n; i++) f[0].T[i] -= f[1].T[i];
+        diagnosis_steps(&e.problem, &f[1], f[0].T, result[0].dt - result[1].dt, &d);
+        measures_diagnosed(m, &d);
+    }
+    for (int k = 0; k < 2; k++) field_free(&f[k]);
+}
+
+/* A program with its own time step gives the same answer for every requested step: the row does not apply. */
+void measures_slope_time(const struct command *r, double lo, double hi, struct measured *m) {
+    struct ladder *l = xcalloc(1, sizeof *l);
+    int status = measures_ladder(r, lo, hi, l, m), differ = 0;
+    for (int i = 0; i < l->n; i++) differ += l->error[i] != 0;
+    if (!status && !differ)
+        skip(m, "the answers are the same for every dt: the program takes a time step of its own");
+    else if (m->verdict != VERDICT_PASS && !l->failure.status)
+        judge_noise(r, l, m);
+    if (m->verdict == VERDICT_FAIL && !l->failure.status && !m->found.named) diagnose_steps(r, l, m);
+    ladder_free(l);
+    free(l);
+}
+
+/* A single run has few known digits; other faults are identified with a run at twice the spacing.  If runs differ,
+ * or if the printed digits could account for the excess over `hi`, the error is inconclusive. */
+static void diagnose(const struct command *r, const struct field *f, double hi, struct measured *m) {
+    const struct experiment *e = &r->experiment;
+    const double dx = e->options.dx;
+    double extent = fmax(e->problem.hi[0] - e->problem.lo[0], e->problem.hi[1] - e->problem.lo[1]);
+    struct ladder_rungs rungs = {.dx = {.count = 2, .value = {2 * dx, dx}}, .diagnose = 1};
+    struct ladder *l = xcalloc(1, sizeof *l);
+    struct failure ignored;
+    struct diagnosis d = {.unit = ""};
+    struct field given = program_as_given(&e->program, f, NULL);
+    int digits, rounded = diagnosis_rounding(&given, m->error, extent / dx, &d);
+    double printed = norms_digits(f, &e->program.map, &digits);
+    if (!rounded && e->program.solver && !ladder_run(e, &rungs, l, &ignored)) diagnose_ladder(e, l, &d);
+    measures_diagnosed(m, &d);
+    if (l->noise.share > JUDGE_NOISE) {
+        snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
+        m->verdict = VERDICT_INCONCLUSIVE;
+    } else if ((rounded || !d.named) && m->error - 2 * printed <= hi) {
+        snprintf(m->reason, sizeof m->reason,
+                 "printed digits: %d in the file make up %.0f %% of the error; more of them show what is left",
+                 digits, 100 * fmin(printed / m->error, 1));
+        m->verdict = VERDICT_INCONCLUSIVE;
+    }
+    field_free(&given);
+    ladder_free(l);
+    free(l);
+}
+
+void measures_error(const struct command *r, double lo, double hi, struct measured *m) {
+    const struct experiment *e = &r->experiment;
+    struct result result;
+    struct field f = {0};
+    if (!measures_run(e, &result, &f, m)) {
+        measures_judge(m, result.error[NORM_L1], lo, hi);
+        if (e->external && m->verdict == VERDICT_FAIL) diagnose(r, &f, hi, m);
+    }
+    field_free(&f);
+}
+
+void measures_repeat(const struct command *r, double lo, double hi, struct measured *m) {
+    double apart[NORM_QUANTITY];
+    struct result first;
+    struct diagnosis d;
+    double largest;
+    if (!run_twice(&r->experiment, &first, apart, &largest, m)) return;
+    measures_judge(m, apart[NORM_LINF] / largest, lo, hi);
+    m->error = first.error[NORM_L1];
+    if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart[NORM_LINF], largest, &d)) {
+        measures_diagnosed(m, &d);
+        snprintf(m->reason, sizeof m->reason, "%s; where that is meant, --skip this row", m->diagnosis);
+        m->verdict = VERDICT_INCONCLUSIVE;
+    }
+}
+
+void measures_digits(const struct command *r, double lo, double hi, struct measured *m) {
+    enum { MANY = 10 };
+    struct result result;
+    struct field f = {0};
+    struct diagnosis d;
+    if (!measures_run(&r->experiment, &result, &f, m)) {
+        struct field given = program_as_given(&r->experiment.program, &f, NULL);
+        int few = diagnosis_rounding(&given, 0, 1, &d);
+        measures_judge(m, few ? d.size : MANY, lo, hi);
+        if (few) measures_diagnosed(m, &d);
+        field_free(&given);
+    }
+    field_free(&f);
+}
+
+/* ---- Stability ---- */
+
+/* The model problem, the limit that theory gives where l is not NULL, and the one that runs show where `measured`. 0,
+ * or *m failed. */
+static int model_of(const struct command *r, struct model_problem *b, struct step_limit *l, int measured,
+                    struct measured *m) {
+    struct failure why = {0};
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->contact,
+                                  r->stages, b, &why);
+    if (!status && l) status = step_limit_predict(b, l, &why);
+    if (!status && l && measured) status = step_limit_measure(b, &l->measured, &why);
+    measures_fail(m, &why);
+    return status;
+}
+
+void measures_limit_agree(const struct command *r, double lo, double hi, struct measured *m) {
+    static const double ratio[] = {1.05, 1.5, 2.05};
+    double worst = 0, at[3] = {NAN, NAN, NAN};
+    int count = r->experiment.options.h > 0 || !r->experiment.method->scheme ? 1 : 3;
+    for (int k = 0; k < count; k++) {
+        struct command with = *r;
+        struct model_problem b;
+        struct step_limit l;
+        if (count > 1) with.experiment.options.h = ratio[k];
+        if (model_of(&with, &b, &l, 1, m)) return;
+        double apart = fabs(l.measured / l.von_neumann - 1);
+        if (apart < worst) continue;
+        worst = apart;
+        at[0] = b.options.h, at[1] = l.measured, at[2] = l.von_neumann;
+        if (isnan(apart)) break;
+    }
+    measures_judge(m, worst, lo, hi);
+    words_add(m->reason, sizeof m->reason, " (h/dx %.4g: measured %.5g, von Neumann %.5g)", at[0], at[1], at[2]);
+}
+
+/* A ratio alone is a formula against a formula: a run must grow just below the published limit if that is too large,
+ * and only then. */
+void measures_limit_published(const struct command *r, double lo, double hi, struct measured *m) {
+    enum { STEPS = 1000 };
+    struct model_problem b;
+    struct step_limit l;
+    struct failure why;
+    if (model_of(r, &b, &l, 0, m)) return;
+    const double tried = 0.99 * l.published;
+    const int grows = step_limit_grows(&b, tried, STEPS, &why), agrees = grows == (tried > l.von_neumann);
+    measures_judge(m, agrees ? l.published / l.von_neumann : NAN, lo, hi);
+    words_add(m->reason, sizeof m->reason, " (published %.5g, von Neumann %.5g)", l.published, l.von_neumann);
+    if (!agrees) words_add(m->reason, sizeof m->reason, "; yet a run at %.5g %s", tried, grows ? "grew" : "decayed");
+}
+
+void measures_limit_interval(const struct command *r, double lo, double hi, struct measured *m) {
+    struct model_problem b;
+    struct step_limit l;
+    if (model_of(r, &b, &l, 1, m)) return;
+    measures_judge(m, l.measured * l.radius / amplification_interval(&b.step), lo, hi);
+    words_add(m->reason, sizeof m->reason, " (measured %.5g of 1/|lambda|, theory %.5g; |G| = 1 at %.5g)",
+              l.measured * l.radius, amplification_interval(&b.step), amplification_reach(&b.step));
+}
+
+void measures_growth(const struct command *r, double lo, double hi, struct measured *m) {
+    struct model_problem b;
+    struct step_limit l;
+    if (!model_of(r, &b, &l, 0, m)) measures_judge(m, l.growth, lo, hi);
 }

@@ -244,7 +244,7 @@ static void judge_steps(const char *row) {
             if (battery_add(2, PROFILE_ALL, seed, &g, &why) || gates_choose(&g, row, NULL, 0, &why) ||
                 battery_bounds(&g, &why))
                 fail_msg("%s", why.text);
-            refine_gates(&g, 0, 2);
+            gates_refine(&g, 0, 2);
             gates_run(&g);
             assert_int_equal(g.result[0].measured.verdict, k ? VERDICT_FAIL : VERDICT_PASS);
             assert_near(g.result[0].measured.value, k ? 1 : 2, 0.1);
@@ -355,7 +355,7 @@ static struct gate refined(const char *command, double lo, const char *measure, 
     struct gate gate = {.id = "a/b", .measure = measure, .command = command, .lo = lo, .hi = 2.9, .ceiling = 0.064};
     struct gates g = {0};
     gates_add(&g, &gate);
-    refine_gates(&g, rungs, time_order);
+    gates_refine(&g, rungs, time_order);
     gate = g.result[0].gate;
     snprintf(text, 400, "%s", gate.command);
     gates_free(&g);

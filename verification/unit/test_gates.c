@@ -150,16 +150,12 @@ static void nan_ceiling_prints_none(void **state) {
     assert_string_equal(text, LADDER " --expect 1.9,2.1");
 }
 
-/* Measures that no right code would show to be wrong: an interval about its value, rounding that is not nothing, and
- * the two times of a wave. */
+/* Measures that no right code would show to be wrong: an interval about its value, and the two times of a wave. */
 static void measures_vary_with_their_input(void **state) {
     (void)state;
     struct measured m = judge("operator_slope", "ladder rod-gauss so_ssph --dx 0.4,0.2,0.1,0.05", 1.9, 2.1, 1);
     assert_order(m.ci[0], <, m.value);
     assert_order(m.value, <, m.ci[1]);
-    m = judge("stepper_factor", "limit so_ssph --dim 1 --stepper rkl2 --stages 9", 0, 1e-12, NAN);
-    assert_order(m.value, >, 0);
-    assert_order(m.value, <, 1e-12);
     double wave[2];
     const char *const line[] = {"run rod-step ftcs --dx 0.1 --t-end 0.02", "run rod-step ftcs --dx 0.1 --t-end 0.2"};
     for (int i = 0; i < 2; i++) {
@@ -174,36 +170,6 @@ static void measures_vary_with_their_input(void **state) {
     m = judge("checkerboard_kept", line[1], 0, 1, NAN);
     assert_order(fabs(wave[1] / wave[0] - 1), >, 0.1);
     assert_near(m.value, wave[1] / wave[0], 1e-12);
-}
-
-/* One value, which is off at walls that are cooled with b = 0, or with b = 1e300. */
-static double off[2];
-
-static int solve_off(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
-                     struct failure *why) {
-    (void)m, (void)o, (void)why;
-    field_alloc(f, 1, 1);
-    f->T[0] = 3 + (p->side[X_HI] == ROBIN ? off[p->robin[X_HI] > 1] : 0);
-    return STATUS_OK;
-}
-
-static double limits_of(double insulated, double held) {
-    static const struct method method = {.name = "off", .solve = solve_off};
-    struct command r = {.experiment = {.method = &method, .problem = {.dim = 1, .side = {DIRICHLET, ROBIN}}}};
-    struct measured m;
-    off[0] = insulated, off[1] = held;
-    measures_find("robin_limits", &m)->take(&r, 0, 1e-9, &m);
-    assert_int_equal(m.verdict, insulated == 0 && held == 0 ? VERDICT_PASS : VERDICT_FAIL);
-    return m.value;
-}
-
-static void cooled_walls_keep_both_limits(void **state) {
-    (void)state;
-    assert_near(limits_of(0, 0), 0, 0);
-    assert_near(limits_of(0.25, 0), 0.25, 0);
-    assert_near(limits_of(0, -0.5), 0.5, 0);
-    assert_near(limits_of(0.75, 0.5), 0.75, 0);
-    assert_nan(limits_of(NAN, 0.5)); /* a later run does not take it away */
 }
 
 /* A reference whose forms disagree, or whose bound is large or not a number. */
@@ -344,7 +310,6 @@ int main(void) {
         cmocka_unit_test(slope_offsets_needs_every_offset),
         cmocka_unit_test(nan_ceiling_prints_none),
         cmocka_unit_test(measures_vary_with_their_input),
-        cmocka_unit_test(cooled_walls_keep_both_limits),
         cmocka_unit_test(references_keep_their_bounds),
         cmocka_unit_test(junit_lists_every_verdict),
         cmocka_unit_test(junit_has_groups_and_interrupts),
