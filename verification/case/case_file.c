@@ -216,7 +216,8 @@ int case_file_check(const struct problem *p, const struct options *o, struct fai
 
 const char *case_file_value(const struct rows *r, const char *key, long *line) {
     size_t length = strlen(key);
-    for (const struct rows_line *l = r->line; l < r->line + r->count; l++) {
+    for (size_t i = 0; i < r->count; i++) {
+        const struct rows_line *l = &r->line[i];
         const char *at = l->text + length;
         if (strncmp(l->text, key, length) != 0 || at[strspn(at, " \t")] != '=') continue;
         if (line) *line = l->number;

@@ -16,7 +16,7 @@ static const size_t MOST = 1000000000; /* numbers: their sizes do not overflow *
 
 struct layout {
     size_t rows, stride, size;   /* bytes from row to row, and of all rows */
-    size_t offset[COLUMN_COUNT]; /* of the first row */
+    size_t offset[COLUMN_COUNT]; /* in the data, to its first row */
     int bytes[COLUMN_COUNT];     /* 8 or 4; 0 for an absent column */
 };
 

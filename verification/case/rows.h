@@ -25,7 +25,7 @@ struct rows_cell {
 };
 
 struct rows {         /* release with rows_free */
-    const char *name; /* of the file, in messages */
+    const char *name; /* the file in messages */
     char *text;
     size_t count, comments;
     struct rows_line *line, *comment;
@@ -53,7 +53,7 @@ int rows_find(const struct rows *r, const struct rows_line *l, const struct rows
 
 struct rows_column {
     const char *name;        /* in messages */
-    int place;               /* of its cell, from 0; -1: the column is not read */
+    int place;               /* index of its cell, from 0; -1: the column is not read */
     size_t stride;           /* from row to row, in `value` and `typed` */
     double *value;           /* receives the numbers */
     struct rows_cell *typed; /* receives the cells; NULL: not wanted */

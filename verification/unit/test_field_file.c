@@ -313,7 +313,7 @@ static void rounded_coordinates_snap_to_walls(void **state) {
 static void weights_of_any_size_are_scaled(void **state) {
     (void)state;
     static const struct {
-        double w[2]; /* of the points but one, and of that one */
+        double w[2]; /* all points but one; that one */
         const char *says;
     } row[] = {{{1e306, 1e306}, NULL},
                {{1e-320, 2e-320}, NULL},

@@ -235,7 +235,7 @@ static void missing_directories_are_made(void **state) {
     assert_int_equal(entries(p->directory), 0);
 }
 
-/* What is printed goes to standard error once a file has taken standard output. */
+/* Once a file has taken standard output, printed text goes to standard error. */
 static void a_dash_is_standard_output(void **state) {
     const struct place *p = *state;
     struct failure why = {0};
