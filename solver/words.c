@@ -40,7 +40,7 @@ const char *words_nearest(const char *const *words, const char *word) {
     const char *nearest = NULL;
     int edits = ((int)strlen(word) + 1) / 2 + 1; /* a word without half in common is not near */
     for (int i = 0; words[i]; i++) {
-        int d = distance(words[i], word);
+        int begun = *word && strncmp(words[i], word, strlen(word)) == 0, d = begun ? 0 : distance(words[i], word);
         if (d >= edits) continue;
         edits = d;
         nearest = words[i];

@@ -48,7 +48,9 @@ static void print_text(const struct ladder *l, const struct diagnosis *d) {
     printf("\n%s\n", what);
     printf("%s%s%s: %s (%.2g s)\n", verdict_colour(stdout, verdict), verdict, verdict_colour_end(stdout, verdict),
            l->reason, l->seconds);
-    if (!l->open) return;
+    int inside = l->asked.expect.count &&
+                 verdict_within(l->slope.value, l->asked.expect.value[0], l->asked.expect.value[1]) == VERDICT_PASS;
+    if (!l->open || (inside && !d->named && !l->asked.diagnose)) return;
     wording_text(d, what, sizeof what);
     printf("diagnosis: %s\n", what);
 }
@@ -140,7 +142,7 @@ static void print_asked(const struct ladder_options *r, char *text, size_t size)
     if (!*text) snprintf(text, size, "all runs end");
 }
 
-/* One test case, which passes if the exit status is 0: also for a ladder without --expect and --ceiling. */
+/* One test case, which passes if the exit status is 0: also for a measured ladder, without --expect and --ceiling. */
 static int write_junit(const struct ladder_options *r, const struct ladder *l, int status, struct failure *why) {
     char id[120], asked[160];
     struct gate_result result = {.seconds = l->seconds, .executed = 1};
@@ -149,7 +151,7 @@ static int write_junit(const struct ladder_options *r, const struct ladder *l, i
     result.gate = (struct gate){.id = id, .why = asked, .command = id};
     snprintf(result.typed, sizeof result.typed, "%s", r->command.typed);
     result.measured = (struct measured){.value = l->slope.value, .verdict = l->verdict};
-    if (!status && !is_judged(r)) result.measured.verdict = VERDICT_PASS;
+    if (!status && l->verdict == VERDICT_MEASURED) result.measured.verdict = VERDICT_PASS;
     snprintf(result.measured.reason, sizeof result.measured.reason, "%s", l->reason);
     struct gates one = {.declared = 1, .executed = 1, .result = &result};
     return junit_write(&one, r->junit_path, why);
@@ -194,8 +196,8 @@ static int act(const void *options, struct failure *why) {
         if (l->external) why->text[0] = '\0'; /* the table already shows it */
         status = write_files(r, l, &d, status, why);
     }
-    if (!status && is_judged(r) && l->verdict != VERDICT_PASS)
-        status = l->verdict == VERDICT_FAIL ? STATUS_GATE : STATUS_INCONCLUSIVE;
+    if (!status && l->verdict == VERDICT_INCONCLUSIVE) status = STATUS_INCONCLUSIVE;
+    if (!status && is_judged(r) && l->verdict == VERDICT_FAIL) status = STATUS_GATE;
     ladder_free(l);
     free(l);
     return status;

@@ -14,6 +14,7 @@
 #include "verification/judge/run.h"
 #include "verification/judge/semidiscrete.h"
 
+#include <float.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -161,6 +162,19 @@ static int note_failures(const struct climb *c, struct ladder *l, struct failure
     return l->failure.status;
 }
 
+/* Possible share of rounding in the difference of two runs: each has its own, and where a program adds up its clock,
+ * N steps of eps each. */
+static double rounding_of_steps(const struct climb *c, const double *dt, int i) {
+    int of = c->l->fine > 0 ? c->runs - 1 : i + 1;
+    double sum = 0;
+    if (of == c->runs) return 0; /* the finest is no rung */
+    for (int k = 0; k < 2; k++) {
+        int run = k ? of : i;
+        sum += c->result[run].rounding + (c->l->external ? DBL_EPSILON * c->e->problem.t_end / dt[run] : 0);
+    }
+    return sum;
+}
+
 /* The number of steps is whole, so dt differs slightly from the request. */
 static int measure_in_time(const struct climb *c, struct ladder *l, struct failure *why) {
     double dt[RUNG_MAX + 1];
@@ -171,6 +185,7 @@ static int measure_in_time(const struct climb *c, struct ladder *l, struct failu
         for (int n = 0; n < NORM_QUANTITY && c->differences && i < l->n; n++) l->rung[i].error[n] = NAN;
     }
     if (!c->differences || l->failure.status) return STATUS_OK;
+    for (int i = 0; i < l->n; i++) l->rung[i].rounding = rounding_of_steps(c, dt, i);
     if (l->fine > 0)
         l->fine = dt[l->n];
     else

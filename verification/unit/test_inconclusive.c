@@ -190,6 +190,21 @@ static void rising_errors_need_no_more_rungs(void **state) {
     assert_lacks(judge(&m, 1.75, 2.3, 0.01).reason, "falls throughout");
 }
 
+/* Errors of second order, and then none: the file of the reference, say.  If all are at round-off, 0 is one of them.
+ */
+static void an_error_of_zero_is_no_order(void **state) {
+    (void)state;
+    struct made m;
+    make(&m, steady, 4, 1e-3, 0);
+    m.error[3] = 0;
+    m.f.rungs.n = 3, m.f.exact = 1, m.f.finest_exact = 1, m.f.finest = 0;
+    struct judge_verdict v = judge(&m, 1.9, 2.1, 1);
+    assert_int_equal(v.verdict, VERDICT_INCONCLUSIVE);
+    assert_has(v.reason, "the finest error is exactly 0, after errors that are not at round-off");
+    m.f.rungs.n = 0, m.f.exact = 4;
+    assert_int_equal(judge(&m, 1.9, 2.1, 1).verdict, VERDICT_PASS);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(noise_leaves_a_ladder_inconclusive),
@@ -198,6 +213,7 @@ int main(void) {
         cmocka_unit_test(turning_slopes_are_not_smooth),
         cmocka_unit_test(missing_rungs_are_counted),
         cmocka_unit_test(rising_errors_need_no_more_rungs),
+        cmocka_unit_test(an_error_of_zero_is_no_order),
     };
     return cmocka_run_group_tests_name("inconclusive", tests, NULL, NULL);
 }
