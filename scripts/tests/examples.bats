@@ -23,6 +23,11 @@ cells='smooth/gauss,contact/rod,plane/source'
     judge "python3 $tree/verification/examples/nodes.py" --only 'contact/rod,contact/plane,contact/steady'
 }
 
+@test "rod.py, the code of README" {
+    needs python3
+    judge "python3 $tree/verification/examples/rod.py" --quick --only 'smooth/*,walls/*,jump/*'
+}
+
 @test "cells.m" {
     needs octave-cli
     judge "octave-cli -q -f $tree/verification/examples/cells.m" --only "$cells"
