@@ -9,7 +9,8 @@ x = [lo] + [lo + (i + 0.5) * dx for i in range(n)] + [hi]       # a wall, centre
 question = [os.environ["HEATLADDER"], "reference", *shlex.split(case["oracle"]), "--points", "-", "--time", "0",
             "--what", "initial_mean,source,rho_c,k_x,wall_x"]
 table = subprocess.run(question, input="x,dx\n" + "".join(f"{p},{dx}\n" for p in x), capture_output=True, text=True)
-T, G, rho_c, k, kind, value, b = zip(*([float(word) for word in line.split(",")[1:]] for line in table.stdout.split()[1:]))
+rows = [[float(word) for word in line.split(",")[1:]] for line in table.stdout.split()[1:]]
+T, G, rho_c, k, kind, value, b = zip(*rows)
 
 T, G, C = [*T], [g * dx for g in G], [k[1] / dx] * (n + 1)      # C: conductance of each face, W/(m^2 K)
 for wall, cell in (0, 1), (-1, -2):
