@@ -19,6 +19,7 @@
 #include "verification/stability/consistency.h"
 #include "verification/stability/step_limit.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -406,6 +407,7 @@ void measures_repeat(const struct command *r, double lo, double hi, struct measu
     }
 }
 
+/* Decimal digits of the temperatures as they are printed; numbers of single precision have seven. */
 void measures_digits(const struct command *r, double lo, double hi, struct measured *m) {
     enum { MANY = 10 };
     struct result result;
@@ -413,9 +415,16 @@ void measures_digits(const struct command *r, double lo, double hi, struct measu
     struct diagnosis d;
     if (!measures_run(&r->experiment, &result, &f, m)) {
         struct field given = program_as_given(&r->experiment.program, &f, NULL);
-        int few = diagnosis_rounding(&given, 0, 1, &d);
-        measures_judge(m, few ? d.size : MANY, lo, hi);
-        if (few) measures_diagnosed(m, &d);
+        const double off = 16 * DBL_EPSILON * field_largest(&given);
+        const int single = diagnosis_rounding(&given, 0, 1, &d);
+        int digits = single ? (int)d.size : 0;
+        char text[NUMBER_PRINTED];
+        for (size_t i = 0; i < given.n && digits < MANY && !single; i++) {
+            double T = given.T[i];
+            digits = (int)fmax(digits, number_digits(T, T == 0 ? 0 : off / fabs(T), MANY - 1, text));
+        }
+        measures_judge(m, digits, lo, hi);
+        if (single) measures_diagnosed(m, &d);
         field_free(&given);
     }
     field_free(&f);

@@ -443,8 +443,7 @@ static void defaults_are_accepted(void **state) {
         assert_order(last, <, PARAM_MAX);
         assert_string_equal((*s)->params[last].name, "t_end");
         assert_near(p.t_end, (*s)->params[last].value, 0);
-        assert_true((*s)->about && (*s)->citation && (*s)->exact && (*s)->second && p.initial &&
-                    p.wall);
+        assert_true((*s)->about && (*s)->citation && (*s)->exact && (*s)->second && p.initial && p.wall);
         for (int i = 0; i < last; i++) assert_true((*s)->params[i].unit && (*s)->params[i].about);
     }
 }
