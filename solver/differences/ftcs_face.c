@@ -53,7 +53,7 @@ double ftcs_face_rho_c(const struct problem *p, double d, double x) {
 double ftcs_face_k(const struct problem *p, enum mean mean, int axis, double d, double x) {
     double share[2], middle[2];
     if (p->materials < 2) return p->material[0].k[axis];
-    if (axis > 0) {
+    if (axis != 0) {
         ftcs_face_parts(p, d, x, share, middle);
         return share[0] * p->material[0].k[axis] + share[1] * p->material[1].k[axis];
     }

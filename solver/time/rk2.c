@@ -10,7 +10,8 @@ static void updates(double dt, double bound, int stages, struct update *u) {
 
 static struct stage stage(int s, int j) {
     (void)s;
-    return j == 1 ? (struct stage){.rate = 0.5} : (struct stage){.rate = 1, .time = 0.5};
+    const struct stage half = {.rate = 0.5}, whole = {.rate = 1, .time = 0.5};
+    return j == 1 ? half : whole;
 }
 
 static double complex amplification(int stages, double complex z) {

@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_CASE_EXPERIMENT_H
 #define HEATLADDER_VERIFICATION_CASE_EXPERIMENT_H
 
-/* What is asked: a problem, a method or a program, their options, and the rungs of a ladder. */
+/* An experiment as asked: a problem, a method or a program, their options, and the rungs of a ladder. */
 
 #include "references/mapping.h"
 #include "references/quantity.h"

@@ -11,7 +11,7 @@ enum norm {
     NORM_QUANTITY /* the error of --quantity; has no word, column or key */
 };
 
-extern const char *const norm_words[];   /* of --norm, in the order of the enum, ended by NULL */
+extern const char *const norm_words[];   /* words of --norm, in the order of the enum, ended by NULL */
 extern const char *const norm_titles[];  /* including NORM_QUANTITY */
 extern const char *const norm_columns[]; /* NULL: shown only if it is fitted */
 extern const char *const norm_keys[];    /* in JSON */

@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_CLI_SURROUNDINGS_H
 #define HEATLADDER_VERIFICATION_CLI_SURROUNDINGS_H
 
-/* What libraries, the system and the environment do to the program, set up once by main. */
+/* Effects of libraries, the system and the environment on the program, set up once by main. */
 
 struct command;
 

@@ -37,12 +37,12 @@ struct fault_row {
     const char *name;
     const struct fault_places *places;               /* NULL: one place */
     int (*applies)(const struct problem *p, int at); /* NULL: every problem can have it */
-    void (*change)(struct faulty *f);                /* of the problem; NULL: the diagnosis has a test of its own */
+    void (*change)(struct faulty *f); /* changes the problem; NULL: the diagnosis has a test of its own */
     enum fault_unit unit;
     unsigned is;
     double probe; /* size at which the response is taken, in fault_scale; 0: 1/100, of lengths 1/200 */
     double least; /* least possible size, in fault_scale; 0: any */
-    double cells; /* of FAULT_CELL */
+    double cells; /* size of FAULT_CELL */
     const char *text, *below, *above; /* the sentence, see wording.h */
     struct {
         const char *unit; /* NULL: any */

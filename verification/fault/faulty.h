@@ -19,7 +19,7 @@ struct fault {
     int at; /* the place: an axis, a side, a pair of axes; 0 if the kind has one place */
 };
 
-/* What a fault changes besides coefficients, which are those of `problem`.  The problem points into this struct and
+/* Changes by a fault, besides the coefficients of `problem`.  The problem points into this struct and
  * must not be copied separately. */
 struct faulty {
     struct problem problem;
@@ -32,17 +32,17 @@ struct faulty {
     int mirrored[DIM_MAX];                    /* 1: points of the answer are in reverse order */
     double start[DIM_MAX];                    /* m: the initial data are displaced */
     double width[DIM_MAX];                    /* m: their jumps are displaced outwards */
-    double factor, offset;                    /* of all temperatures; K */
+    double factor, offset;                    /* all temperatures; K */
     double wall[SIDES], late[SIDES];          /* factor of a side's data; s: they are those of a later time */
     double along[DIM_MAX];                    /* m: they are those of a point further up this axis */
     int frozen, source_frozen;                /* 1: data that change keep their first values */
     double source, source_late;               /* factor; s */
-    int corner;                               /* where Dirichlet data are lost, see faulty_side; -1: nowhere */
-    int kept;                                 /* the layer beside this side keeps its first values; -1: none */
-    int by_steps;                             /* 1: a change of the equation, which response.c solves by itself */
-    int laplacian;                            /* 1: k lap T stands for div(k grad T) */
-    int twice[DIM_MAX];                       /* 1: the faces at which periodic sides meet count twice */
-    enum mean mean;                           /* of conductivities */
+    int corner;         /* the corner that loses its Dirichlet data, see faulty_side; -1: none */
+    int kept;           /* the layer beside this side keeps its first values; -1: none */
+    int by_steps;       /* 1: a change of the equation, which response.c solves by itself */
+    int laplacian;      /* 1: k lap T stands for div(k grad T) */
+    int twice[DIM_MAX]; /* 1: the faces at which periodic sides meet count twice */
+    enum mean mean;     /* the mean of two conductivities */
 };
 
 /* Sets *f to *p with that fault and size.  Returns 1 if *p can have the fault. */

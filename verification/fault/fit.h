@@ -53,10 +53,10 @@ struct fault_fit {
     double cell[2], step[2], diffusive[2]; /* units at the rungs: m; s, 0: unknown; dx^2/kappa, s */
     double unit[2];                        /* the unit in which the size is most nearly constant from rung to rung */
     double drift;     /* |log| of the change of the size in it; INFINITY if the size is not constant */
-    const char *name; /* of the unit: "steps", "s", "dx^2/kappa", "cells", "K" or "%" */
+    const char *name; /* the unit: "steps", "s", "dx^2/kappa", "cells", "K" or "%" */
     unsigned sides;   /* fault_sides */
     int is_pace;      /* 1: a conductivity where fault_is_pace */
-    double geometric; /* of FAULT_MEAN: the effect of the geometric mean over that of the arithmetic one */
+    double geometric; /* FAULT_MEAN: the effect of the geometric mean over that of the arithmetic one */
 };
 
 /* Faults that the problem of a row can have, fitted to its errors. */

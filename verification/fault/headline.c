@@ -25,7 +25,7 @@ struct hypothesis {
     const char *unit;
     double size, score;
     int votes;
-    const struct fault_fit *shown; /* of the row that shows it best */
+    const struct fault_fit *shown; /* the fit of the row that shows it best */
 };
 
 /* Whether a row without fits, or with a name that needs none, shows the fault by itself.  An extra step in every run
@@ -138,10 +138,10 @@ static int suggest(const struct diagnosis *row, int failing, struct hypothesis *
             list[n++] = own;
         for (int k = 0; row[i].evidence && k < row[i].evidence->n; k++) {
             const struct fault_fit *c = &row[i].evidence->fit[k];
-            const int joins = fault_rows[c->fault.kind].is & FAULT_JOINS;
+            const int joins = fault_rows[c->fault.kind].is & FAULT_JOINS ? 1 : 0;
             if (c->rung[0].share < VOTE || c->rung[0].part < FIT_MOST) continue;
             for (const char *const *unit = fit_unit_names(c->fault.kind); *unit; unit++)
-                for (int any = 0; any <= (joins != 0); any++) {
+                for (int any = 0; any <= joins; any++) {
                     struct hypothesis h = {.fault = {c->fault.kind, any ? FAULT_ANY : c->fault.at}, .unit = *unit};
                     if (fit_unit(c, *unit, 0) != 0 && n < most && !is_listed(list, n, &h)) list[n++] = h;
                 }

@@ -10,7 +10,7 @@
 struct headline {
     struct diagnosis fault; /* at FAULT_ANY if the places differ; not named: none was found */
     double share;           /* mean share of the squared errors of the rows whose errors are known */
-    int votes, failing;     /* rows of which it explains FIT_VOTE or more; all rows that do not pass */
+    int votes, failing;     /* rows that it explains to FIT_VOTE or more; all rows that do not pass */
     int is_firm;            /* 1: half of the rows with known errors vote for it, two at least, and it has no rival */
     int scope;              /* 1: rows that pass contradict it, but none of the class of all failing rows */
 };

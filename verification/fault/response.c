@@ -41,7 +41,7 @@ static double conducts(const struct problem *p, const double *x, int a, double T
     return p->material[p->materials == 2 && x[0] >= p->interface].k[a];
 }
 
-/* What face `hi` across axis a adds to the cell i at x, W m^-3. */
+/* The heat that face `hi` across axis a adds to the cell i at x, W m^-3. */
 static double through(const struct steps *c, int i, const double *x, int a, int hi, double t) {
     const struct problem *p = &c->f->problem;
     const enum side s = (enum side)(2 * a + hi);
@@ -162,7 +162,7 @@ void response_lattice_free(struct response_lattice *l) {
     *l = (struct response_lattice){0};
 }
 
-/* Where the answer with a fault takes its value for point i. */
+/* The place at which the answer with a fault takes its value for point i. */
 static double *place(const struct faulty *with, const struct field *f, size_t i, double x[DIM_MAX]) {
     field_place(f, i, x);
     for (int a = 0; a < f->dim; a++) {

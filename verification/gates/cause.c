@@ -126,7 +126,7 @@ static int passing(const struct rows *rows, unsigned feature, int with) {
     return n;
 }
 
-/* What sets the rows that fail apart from those that pass: fewest of the latter have it; -1: nothing. */
+/* The feature that sets the rows that fail apart: fewest rows that pass have it; -1: none. */
 static int telling(const struct rows *rows, int from, int to, int failing) {
     int best = -1, fewest = failing + 1;
     for (int i = from; i < to; i++) {
@@ -201,7 +201,7 @@ static void print_shared(const struct rows *rows, const struct diagnosis *found,
                  passing(rows, 1u << what, 1) ? "" : ", and no other row does");
 }
 
-/* What the headline leaves of a row. */
+/* The words of a row, given the headline. */
 static void print_left(const struct headline *h, struct measured *m) {
     double share = headline_share(h, &m->found);
     if (!isfinite(share) || !h->fault.named) return;

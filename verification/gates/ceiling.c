@@ -130,12 +130,11 @@ double ceiling_jitter(const struct experiment *e) {
 
 /* The k-th of the points that fill the domain evenly; 0 past the last one. */
 static int place(const struct problem *p, int k, double x[DIM_MAX]) {
-    static const int most[DIM_MAX] = {400, 48, 12};
-    const int side = most[p->dim - 1];
+    const int side = p->dim == 1 ? 400 : p->dim == 2 ? 48 : 12; /* points along an axis */
     for (int a = 0; a < DIM_MAX; a++, k /= side) {
         double lo = a < p->dim && p->dim == 3 && p->mirror[a] ? (p->lo[a] + p->hi[a]) / 2 : p->lo[a];
         x[a] = a < p->dim ? lo + (p->hi[a] - lo) * (k % side + 0.5) / side : 0;
-        if (a == p->dim - 1 && k >= side) return 0;
+        if (a == p->dim - 1 && k / side > 0) return 0;
     }
     return 1;
 }

@@ -8,7 +8,7 @@
  * `ceiling` holds for any scene, wall and operator of second order.  The finite differences, which share no line with
  * the particles, run the same problem at the same spacing, without an error in time; an operator whose fourth moment
  * in some direction is up to `ceiling_worst` times theirs has an error up to that much larger.  30 % cover terms of
- * either sign that do not cancel alike in the two codes.  The finite differences themselves have the bounds of theory
+ * either sign that cancel differently in the two codes.  The finite differences themselves have the bounds of theory
  * (ceiling_truncation).  The others below are for rows where this cannot hold, each named after its idea. */
 
 #include "verification/case/experiment.h"

@@ -29,16 +29,16 @@ static const double JUDGE_NOISE = 0.1; /* a larger share shows no order */
 
 struct judge_facts {
     struct judged rungs;     /* those that count */
-    const double *x, *error; /* of all rungs, coarsest first */
+    const double *x, *error; /* all rungs, coarsest first */
     int n, exact;            /* how many, and how many of them are at round-off */
     int finest_exact;        /* 1: the finest is one of these */
     double finest;           /* error at the finest rung that counts or is at round-off; NaN: none */
     const double *band;      /* LO, HI of the slope; NULL: none */
-    double ceiling;          /* of `finest`; 0: none */
+    double ceiling;          /* bound of `finest`; 0: none */
     int small_passes;        /* 1: an error far below its ceiling passes with any slope */
-    struct failure failure;  /* of the first rung that failed */
+    struct failure failure;  /* the first rung that failed */
 
-    /* Of another program whose ladder did not pass. */
+    /* Another program, with a ladder that did not pass: */
     int answers;              /* 1: the members below are known */
     struct judge_noise noise; /* between equal runs */
     double printed;           /* share of the printed digits in the finest error */

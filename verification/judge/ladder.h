@@ -28,7 +28,7 @@ struct ladder {
     struct result rung[RUNG_MAX];
     long long semidiscrete_steps; /* ladder in time: number of steps of the reference solution; 0: exact stepper */
     double semidiscrete_error;    /* error of the reference, see struct semidiscrete */
-    double x[RUNG_MAX + 1];       /* of the rungs, and of --fine */
+    double x[RUNG_MAX + 1];       /* the rungs, and --fine */
     enum norm norm;
     double error[RUNG_MAX];           /* in that norm; NaN if the run failed */
     int draws;                        /* draws per rung; the errors are their geometric means; 0 for one run */
@@ -44,8 +44,8 @@ struct ladder {
     /* For a diagnosis: known for a ladder in space that did not pass, or on request. */
     int open;                 /* 1: known */
     struct field kept[2];     /* owned: at the finest rung and at the one before; n = 0 if a rung has none */
-    struct judge_noise noise; /* of a program: between equal runs */
-    double printed;           /* of a program: the share of the printed digits in the finest error */
+    struct judge_noise noise; /* a program: between equal runs */
+    double printed;           /* a program: the share of the printed digits in the finest error */
     int digits;               /* how many are printed */
     int named;                /* 1: a fault explains the errors (ladder_explained) */
 };

@@ -15,7 +15,7 @@
 enum { WIDE = 340, HIGH = 240, LEFT = 66, RIGHT = 14, TOP = 26, BOTTOM = 40, POINTS_MOST = 4000 };
 
 struct axis {
-    double lo, hi; /* of the data, or of their logarithms to base 10 */
+    double lo, hi; /* the data, or their logarithms to base 10 */
     int logarithmic;
 };
 

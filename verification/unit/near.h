@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-/* What the assertions are about, such as a scene: named by one that fails; NULL: nothing. */
+/* The subject of the assertions, such as a scene: named by one that fails; NULL: none. */
 static const char *near_about;
 
 static inline void near_failed(const char *file, int line) {

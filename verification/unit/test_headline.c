@@ -69,7 +69,7 @@ static void sentences_end_with_the_share(void **state) {
 
 /* ---- Headlines ---- */
 
-/* What a code with that fault shows of a scene, at dx and 2 dx. */
+/* The errors of a code with that fault in a scene, at dx and 2 dx. */
 static struct diagnosis shown(const char *scene, struct fault fault, double units, double dx) {
     struct problem p = problem_of(scene);
     struct rung r[2];

@@ -43,7 +43,7 @@ static struct judge_verdict judge(struct made *m, double lo, double hi, double c
 
 static const double steady[3] = {2, 2, 2};
 
-/* Of second order, against bands of third. */
+/* Second order, against bands of third. */
 static void noise_leaves_a_ladder_inconclusive(void **state) {
     (void)state;
     static const char *const said = "answers differ by 0.012 K from run to run, 37 % of the error: random numbers, "

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What methods of this suite alone can show: limits of Robin walls, stability functions of the steppers, the maximum
- * principle, refusals of sparse clouds, and 1e7 steps. */
+/* Properties that methods of this suite alone can show: limits of Robin walls, stability functions of the steppers,
+ * the maximum principle, refusals of sparse clouds, and 1e7 steps. */
 #include "solver/field.h"
 #include "solver/time/stepper.h"
 #include "verification/case/command.h"

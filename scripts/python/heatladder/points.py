@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One rule for points: an array (..., dim), of which the last axis holds the coordinates; on a rod also a number or (n,).
+"""One rule for points: an array (..., dim) with the coordinates along its last axis; on a rod also a number or (n,).
 Temperatures have the shape of the points without that axis.  Without NumPy: lists (n,) or (n, dim)."""
 from __future__ import annotations
 
