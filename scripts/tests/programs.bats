@@ -112,7 +112,7 @@ ROWS
     stand_in mycode 'heatladder run rod-gauss ftcs --dx "$(sed -n "s/^dx = //p" "$1")" --field "$2"'
     ln -s bin/mycode .
     for task in 1 2; do SLURM_ARRAY_TASK_ID=$task sh "$tree/scripts/cluster/array.sh"; done
-    expect 0 'slope' heatladder ladder rod-gauss mine --results cases --dx 1,0.5
+    expect 4 'slope' heatladder ladder rod-gauss mine --results cases --dx 1,0.5
 }
 
 action() { # inputs of the action as NAME=VALUE...

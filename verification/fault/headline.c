@@ -150,11 +150,16 @@ static int suggest(const struct diagnosis *row, int failing, struct hypothesis *
     return n;
 }
 
+/* A time that is not a number of steps is a rare slip: a wrong end is one step off. */
+static int rarity(const struct hypothesis *h) {
+    return h->fault.kind == FAULT_CLOCK && strcmp(h->unit, "s") == 0 ? FAULT_KINDS : (int)h->fault.kind;
+}
+
 /* The better one explains more; of two that explain as much, it is at one place, or the more common. */
 static int is_better(const struct hypothesis *a, const struct hypothesis *b) {
     static const double AS_WELL = 0.02;
     if (fabs(a->score - b->score) > AS_WELL) return a->score > b->score;
-    if (a->fault.kind != b->fault.kind) return a->fault.kind < b->fault.kind;
+    if (a->fault.kind != b->fault.kind) return rarity(a) < rarity(b);
     if ((a->fault.at == FAULT_ANY) != (b->fault.at == FAULT_ANY)) return b->fault.at == FAULT_ANY;
     return a->score > b->score;
 }
