@@ -125,13 +125,18 @@ static void list_claims(void) {
 }
 
 static const struct topic {
-    const char *name;
+    const char *name, *about;
     void (*list)(void);
     void (*details)(void); /* with --verbose; NULL: as list */
-} topics[] = {{"scenes", list_scenes, NULL},   {"methods", list_methods, NULL},
-              {"kernels", list_kernels, NULL}, {"steppers", list_steppers, NULL},
-              {"gates", list_gates, NULL},     {"battery", list_battery_rows, list_battery_details},
-              {"claims", list_claims, NULL},   {0}};
+} topics[] = {
+    {"scenes", "problems with an exact solution, their parameters and defaults", list_scenes, NULL},
+    {"methods", "discretizations and their options", list_methods, NULL},
+    {"kernels", "smoothing kernels", list_kernels, NULL},
+    {"steppers", "time steppers", list_steppers, NULL},
+    {"gates", "checks of the suite itself", list_gates, NULL},
+    {"battery", "checks for any code, with the fault that each detects", list_battery_rows, list_battery_details},
+    {"claims", "statements of the papers", list_claims, NULL},
+    {0}};
 
 struct list_options {
     struct command command;
@@ -141,17 +146,16 @@ struct list_options {
 static int act(const void *options, struct failure *why) {
     const struct list_options *r = options;
     const char *names[WORDS_MAX] = {0}, *topic = r->command.word[0];
-    for (int i = 0; topics[i].name; i++) {
-        names[i] = topics[i].name;
-        if (topic && words_index(names, topic) < 0) continue;
-        if (!topic && i) printf("\n");
-        if (r->verbose && topics[i].details)
-            topics[i].details();
-        else
-            topics[i].list();
-        if (topic) return STATUS_OK;
-    }
-    return topic ? words_unknown(names, "topic", topic, why) : STATUS_OK;
+    for (int i = 0; topics[i].name; i++) names[i] = topics[i].name;
+    for (int i = 0; topics[i].name && !topic; i++) printf("heatladder list %-10s %s\n", names[i], topics[i].about);
+    if (!topic) return STATUS_OK;
+    int at = words_index(names, topic);
+    if (at < 0) return words_unknown(names, "topic", topic, why);
+    if (r->verbose && topics[at].details)
+        topics[at].details();
+    else
+        topics[at].list();
+    return STATUS_OK;
 }
 
 static const struct option own[] = {{"verbose", NULL, "of the battery: commands, bounds and draws; also -v",
@@ -161,6 +165,6 @@ static const struct option own[] = {{"verbose", NULL, "of the battery: commands,
 static const struct command_syntax syntax = {"list", "[TOPIC]", "", "", NULL};
 
 const struct verb verb_list = {&syntax, own, sizeof(struct list_options),
-                               "list scenes, methods, kernels, steppers, gates, battery and claims, or one TOPIC of "
-                               "these",
+                               "list a TOPIC: scenes, methods, kernels, steppers, gates, battery or claims; without "
+                               "one, the topics",
                                act};

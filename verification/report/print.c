@@ -100,10 +100,10 @@ void print_gates(const struct gates *g, int all, double seconds) {
         print_all(g);
     else
         print_groups(g);
-    for (int i = 0; i < g->declared; i++) {
-        if (is_skipped(&g->result[i])) print_skipped(g, i);
+    for (int i = 0; i < g->declared; i++)
         if (gates_fails(&g->result[i])) print_failure(&g->result[i], all);
-    }
+    for (int i = 0; i < g->declared; i++)
+        if (is_skipped(&g->result[i])) print_skipped(g, i);
     if (*g->diagnosis) printf("\ndiagnosis: %s\n", g->diagnosis);
     if (g->interrupted)
         printf("\ninterrupted by signal %d: %d of %d rows were judged\n", g->interrupted, g->executed, g->planned);
