@@ -114,7 +114,11 @@ END
     python=$("$tree/scripts/interpreter" wheel)
     [ "$built" = "$tree/build" ] && [ -n "$python" ] && "$python" -m venv --system-site-packages venv ||
         skip "no build in build/, or no wheel and venv (Debian: python3-wheel, python3-venv)"
-    env -u HEATLADDER venv/bin/pip install -q --no-build-isolation --no-index "$tree/scripts/python"
+    mkdir -p copy/scripts # pip writes beside the sources, which other tests import
+    cp -R "$tree/scripts/python" copy/scripts/ && rm -rf copy/scripts/python/*.egg-info
+    ln -s "$built" copy/build
+    cp "$tree/LICENSE" copy/
+    env -u HEATLADDER venv/bin/pip install -q --no-build-isolation --no-index copy/scripts/python
     env -u HEATLADDER -u HEATLADDER_LIBRARY venv/bin/python -c 'import heatladder; print(len(heatladder.scenes()))' >count
     [ "$(cat count)" -ge 24 ]
 }
