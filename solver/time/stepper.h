@@ -40,7 +40,8 @@ struct march {
 struct stepper {
     const char *name, *about; /* name on the command line; one line of description */
     int order;                /* order in time; 0: no time step, or no time error */
-    int arrays;               /* states: 2, or 3 if an update reads the state at the start of the step (start, Y0) */
+    int arrays;               /* states: 2, or 3 if an update reads Y0, the state at the start of the step.  With 3,
+                                 Y0 is `start`: `old` of u[0] and u[1] has no value */
     int stages;               /* updates per step; 0: returned by count */
     int degree;               /* degree of data that change within a step, as polynomials in time (stepper.c); 0: 1 */
     int damped;               /* stages up to which eigenvalues off the real axis decay too; 0: no limit */
