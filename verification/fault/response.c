@@ -131,9 +131,13 @@ static int fit(const struct problem *p, int n) {
 int response_lattice_create(const struct problem *p, struct response_lattice *l) {
     /* the steps of k(T), and of walls that change in the plane, take ten times as long */
     const int coarse = p->k_law || (p->wall_rate && p->dim > 1) ? 2 : 1;
-    int best = -1, n = 0, least = p->dim == 3 ? 16 : 64, most = p->dim == 3 ? 40 : 128;
-    for (int i = least / coarse; i <= most / coarse; i++)
-        if (fit(p, i) > best) best = fit(p, i), n = i;
+    const int least = p->dim == 3 ? 16 : 64 / coarse, most = p->dim == 3 ? 40 : 128 / coarse, few = 4;
+    double longest = 1; /* in units of the extent along x; a column has few cells along x */
+    for (int a = 0; a < p->dim && p->dim == 3; a++)
+        longest = fmax(longest, (p->hi[a] - p->lo[a]) / (p->hi[0] - p->lo[0]));
+    int best = -1, n = 0;
+    for (int i = few; i <= most; i++)
+        if (i * longest >= least - 0.5 && i * longest <= most + 0.5 && fit(p, i) > best) best = fit(p, i), n = i;
     if (best < 0 || p->shape) return -1; /* rings do not form a lattice */
     struct field f;
     struct faulty none;

@@ -15,8 +15,8 @@ struct response_lattice {
     double *longer; /* K: dT/dF for Euler steps, with the mesh Fourier number F; owned */
 };
 
-/* Finds the lattice of about 64 cells along x (16 in space) that fits the domain (and, if possible, the interface and
- * jumps), and solves for T.  Returns 0, or -1 if none fits. */
+/* Finds the lattice of about 64 cells along x (in space 16 along the longest axis) that fits the domain (and, if
+ * possible, the interface and jumps), and solves for T.  Returns 0, or -1 if none fits. */
 int response_lattice_create(const struct problem *p, struct response_lattice *l);
 void response_lattice_free(struct response_lattice *l);
 

@@ -71,7 +71,7 @@ static int is_oblong(const struct problem *p, double aspect) {
 /* A code may have other lines for data that change. */
 static int is_steady(const struct problem *p, double aspect) {
     (void)aspect;
-    return !problem_changes(p);
+    return !problem_changes(p) && !p->source_at;
 }
 
 /* Classes of problems first: what a code has a branch for. */
