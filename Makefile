@@ -411,10 +411,9 @@ SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-o
 # Rows that take half of the time and repeat code of others: space/ball/wall=2/fit, walls/disc/*/fit, contact/*,
 # space/cosine/fo_ssph, space/jitter/positive, and the unit tests of clouds in space.
 LONG_ROWS := space/contact/contact_ssph,space/ball/wall=[13]/fit,space/step/fo_ssph/first,space/jitter/so_ssph
-# Leaks are valgrind's (scripts/leaks): four unit tests drop diagnoses without freeing them.
 sanitize: ## Run the unit tests and the quick gates under the address and undefined-behaviour sanitizers
-	+$(Q)ASAN_OPTIONS=detect_leaks=0 $(MAKE) -s BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' SHELL_TESTS= test
-	$(Q)ASAN_OPTIONS=detect_leaks=0 $(BUILD)/sanitize/heatladder verify --quick --skip '$(LONG_ROWS)'
+	+$(Q)$(MAKE) -s BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' SHELL_TESTS= test
+	$(Q)$(BUILD)/sanitize/heatladder verify --quick --skip '$(LONG_ROWS)'
 
 # A program that ends while it writes its counts leaves them broken: gcov names them in gcov.log, and they are removed.
 COVER := $(BUILD)/coverage

@@ -198,6 +198,7 @@ static int act(const void *options, struct failure *why) {
     }
     if (!status && l->verdict == VERDICT_INCONCLUSIVE) status = STATUS_INCONCLUSIVE;
     if (!status && is_judged(r) && l->verdict == VERDICT_FAIL) status = STATUS_GATE;
+    free(d.evidence);
     ladder_free(l);
     free(l);
     return status;

@@ -78,6 +78,9 @@ void diagnose_ladder(const struct experiment *e, struct ladder *l, struct diagno
     }
     if (l->noise.share > JUDGE_NOISE && diagnosis_repeat(apart, largest, d)) return;
     find_fault(e, l, d);
-    if (!d->named && diagnosis_repeat(apart, largest, &repeats)) *d = repeats;
+    if (!d->named && diagnosis_repeat(apart, largest, &repeats)) {
+        free(d->evidence);
+        *d = repeats;
+    }
     if (d->named) ladder_explained(l);
 }

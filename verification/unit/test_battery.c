@@ -170,6 +170,7 @@ static void faults_hidden_in_one_field_are_diagnosed(void **state) {
         struct measured m;
         gates_judge(&g.result[0].gate, &program, &m);
         if (!strstr(m.diagnosis, says[k])) fail_msg("%s: '%s'", rows[k], m.diagnosis);
+        measures_free(&m);
         gates_free(&g);
     }
     snprintf(line, sizeof line,
@@ -179,6 +180,7 @@ static void faults_hidden_in_one_field_are_diagnosed(void **state) {
     ladder_run(&r.experiment, &r.rungs, l, &why);
     diagnose_ladder(&r.experiment, l, &d);
     assert_has(d.what, says[0]);
+    free(d.evidence);
     command_free(&r);
     ladder_free(l);
     free(l);
@@ -228,6 +230,7 @@ static void own_time_steps_are_skipped(void **state) {
     struct measured m;
     gates_judge(&g.result[0].gate, &program, &m);
     assert_int_equal(m.verdict, VERDICT_SKIPPED);
+    measures_free(&m);
     gates_free(&g);
 }
 

@@ -23,6 +23,7 @@ static void row(int order, const char *id, const char *made, struct measured *m)
     program.solver = command;
     struct gates g = battery_rows(order, id);
     gates_judge(&g.result[0].gate, &program, m);
+    measures_free(m);
     gates_free(&g);
 }
 
@@ -35,6 +36,7 @@ static void ladder(const char *line, const char *made, struct ladder *l) {
     struct diagnosis d;
     if (ladder_run(&r.experiment, &r.rungs, l, &why)) fail_msg("%s: %s", command, why.text);
     diagnose_ladder(&r.experiment, l, &d);
+    free(d.evidence);
     command_free(&r);
     ladder_free(l);
 }

@@ -72,6 +72,7 @@ static void gate_command_runs_as_printed(void **state) {
         assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
         assert_int_equal(l->verdict, m.verdict);
         assert_string_equal(l->reason, m.reason);
+        measures_free(&m);
         command_free(&r);
         ladder_free(l);
         free(l);

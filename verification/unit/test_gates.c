@@ -22,6 +22,7 @@ static struct measured judge(const char *measure, const char *command, double lo
     struct gate gate = {"test", TIER_QUICK, measure, command, lo, hi, ceiling, "a test"};
     struct measured m;
     gates_judge(&gate, NULL, &m);
+    measures_free(&m);
     return m;
 }
 
