@@ -40,7 +40,7 @@ F(i) = int(word(families, i))
 set multiplot
 do for [s = 1:3] {
     scene = word('rod-step square-step cube-step', s)
-    set lmargin at screen (s == 2 ? 0.61 : 0.12); set rmargin at screen (s == 2 ? 0.97 : 0.48)
+    set lmargin at screen (s == 2 ? 0.64 : 0.15); set rmargin at screen (s == 2 ? 0.97 : 0.48)
     set tmargin at screen (s == 3 ? 0.45 : 0.91); set bmargin at screen (s == 3 ? 0.13 : 0.59)
     set title scene noenhanced font size_of(10) offset 0, -0.7
     set autoscale fix

@@ -40,7 +40,7 @@ if (!exists("keys")) keys = 1
 heading = fold(wide / 8.0, heading)
 set title heading noenhanced font size_of(11)
 set label 99 caption at screen 0.012, screen (foot - 10.0) / high left noenhanced font size_of(8.5) textcolor rgb '#555555'
-set bmargin at screen (foot + 25 * keys + 66) / high
+set bmargin at screen (foot + 25 * keys + 80) / high
 
 # Okabe & Ito's palette, distinguishable with colour-vision deficiency; each colour has its own point and dash.
 BLACK = '#000000'; ORANGE = '#E69F00'; SKY = '#56B4E9'; GREEN = '#009E73'

@@ -112,7 +112,7 @@ static const struct figure figures[] = {
      (const struct figure_series[]){EXACT("exact", "rod-step --at 0 --time 5"),
                                     CURVE("ftcs_flux", "run rod-step ftcs_flux --dx 0.1 --dt 5e-5"),
                                     CURVE("ftcs direct", "run rod-step ftcs --dx 0.1 --dt 5e-5"), END}},
-    {"song_fig3b", "Song 2018, Figure 3b: FO-SSPH and SO-SSPH on the square along y = 0.05 m, t = 5 s",
+    {"song_fig3b", "Song 2018, Figure 3b: FO- and SO-SSPH on the square along y = 0.05 m, t = 5 s",
      (const struct figure_series[]){EXACT("exact", "square-step --at 0,0.05 --time 5"),
                                     CUT("fo_ssph", "run square-step fo_ssph"),
                                     CUT("so_ssph", "run square-step so_ssph"), END}},
