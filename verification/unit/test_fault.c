@@ -232,6 +232,20 @@ static void wall_value_in_the_middle_alone_is_found(void **state) {
     }
 }
 
+/* A positive size is a later time: the source at t is that of the scene at t + size. */
+static void sources_are_late_by_their_size(void **state) {
+    (void)state;
+    struct problem p = problem_of(CHANGING);
+    struct faulty with;
+    const double x[DIM_MAX] = {0.37 * p.hi[0], 0.61 * p.hi[1], 0}, late[] = {0.031, -0.017};
+    assert_order(fabs(problem_source(&p, x, 0.1 + late[0]) - problem_source(&p, x, 0.1)), >, 1e-3);
+    for (int k = 0; k < 2; k++) {
+        assert_true(faulty_make(&p, (struct fault){FAULT_SOURCE_TIME, 0}, late[k], &with));
+        double due = problem_source(&p, x, 0.1 + late[k]);
+        assert_near(problem_source(&with.problem, x, 0.1), due, 1e-12 * fabs(due)); /* one product's rounding */
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(impossible_sizes_are_refused),
@@ -242,6 +256,7 @@ int main(void) {
         cmocka_unit_test(stretched_bodies_keep_walls_and_sources),
         cmocka_unit_test(starts_move_along_y),
         cmocka_unit_test(wall_value_in_the_middle_alone_is_found),
+        cmocka_unit_test(sources_are_late_by_their_size),
     };
     return cmocka_run_group_tests_name("fault", tests, NULL, NULL);
 }
