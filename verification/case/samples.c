@@ -10,6 +10,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -71,6 +72,27 @@ const char *samples_place(const struct samples *s, size_t i, char text[SAMPLES_P
     for (int a = 0; a < s->dim; a++)
         words_add(text, SAMPLES_PLACE, "%s%c = %.9g", a ? ", " : "", "xyz"[a], s -> value[a][i]);
     return text;
+}
+
+int samples_scale_weights(struct samples *s, struct failure *why) {
+    double *w = s->value[COLUMN_W], largest = 0;
+    for (size_t i = 0; i < s->n && w; i++) {
+        if (!(w[i] >= 0))
+            return refuse(why, STATUS_INPUT, "%.150s, line %ld: w = %g; a weight must be 0 or more", s->path,
+                          samples_line(s, i), w[i]);
+        largest = fmax(largest, w[i]);
+    }
+    if (w && !(largest > 0))
+        return refuse(why, STATUS_INPUT, "%.150s: all weights w are 0; a norm needs some above", s->path);
+    for (size_t i = 0; i < s->n && w; i++) {
+        double scaled = scalbn(w[i], -ilogb(largest));
+        if (w[i] > 0 && scaled < DBL_MIN)
+            return refuse(why, STATUS_INPUT,
+                          "%.150s, line %ld: w = %g beside a largest of %g: weights may differ by up to 1e307",
+                          s->path, samples_line(s, i), w[i], largest);
+        w[i] = scaled;
+    }
+    return STATUS_OK;
 }
 
 /* ---- Tables ---- */

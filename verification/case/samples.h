@@ -46,6 +46,10 @@ void samples_free(struct samples *s);
 const double *samples_point(const struct samples *s, size_t i, double x[3]);
 long samples_line(const struct samples *s, size_t i); /* line of point i in the file, from 1 */
 
+/* Divides the weights by a power of 2 near the largest, which is exact, so that sums with them do not overflow.
+ * Refuses negative weights, weights that are all 0, and a range beyond double's. */
+int samples_scale_weights(struct samples *s, struct failure *why);
+
 /* "x = 0.1, y = 0.2", for messages; returns it. */
 enum { SAMPLES_PLACE = 80 };
 const char *samples_place(const struct samples *s, size_t i, char text[SAMPLES_PLACE]);

@@ -12,9 +12,11 @@
  * iterate p = |ln|e32/e21| - ln((r32^p - s)/(r21^p - s))|/ln r21, which diverges if r32 is well above r21.)
  *
  * 1.25 is the safety factor for three grids or more.  Fields on different points are compared at the points of the
- * coarsest of the three; the finer ones are interpolated there by least squares of degree three over the nearest
- * points (interpolate.h), with an error of O(h^4).  The result estimates the limit of the code's own answers; it
- * does not show that this limit is the solution. */
+ * coarsest of the three; the finer ones are interpolated there (interpolate.h).  Interpolation has an error of its
+ * own, which decreases with an order of its own.  A tenth of either change moves p by up to 0.2/ln r21, 0.3 for
+ * ratios of 2; the estimate, the difference from a lower degree, is well above the error.  Beyond it no order is
+ * given: nodes that the grids share need no interpolation, nor does the mean sum(w T)/sum(w) with the cells' weights.
+ * The result estimates the limit of the code's own answers; it does not show that this limit is the solution. */
 #include "verification/judge/gci.h"
 
 #include "solver/problem.h"
@@ -28,6 +30,7 @@
 #include "verification/text/json.h"
 #include "verification/text/whole_file.h"
 
+#include <float.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdio.h>
@@ -109,11 +112,20 @@ static struct gci_row *add(struct gci *g, const char *name) {
     return row;
 }
 
-static void judge_values(const struct gci *g, struct gci_row *row) {
-    double e[NUMBERS_MAX] = {0};
+static void differences(const struct gci *g, const struct gci_row *row, double e[NUMBERS_MAX]) {
     for (int i = 0; i + 1 < g->n; i++) e[i] = row->value[i] - row->value[i + 1];
+}
+
+/* unit: by how much a value may be off. */
+static void judge_values(const struct gci *g, double unit, struct gci_row *row) {
+    double e[NUMBERS_MAX] = {0};
+    differences(g, row, e);
     judge(g, e, row->value[g->n - 1], row);
-    row->unsure = unsure_by(g, e, printed_unit(row->value, (size_t)g->n, &row->digits), row);
+    row->unsure = unsure_by(g, e, unit, row);
+}
+
+static void judge_printed(const struct gci *g, struct gci_row *row) {
+    judge_values(g, printed_unit(row->value, (size_t)g->n, &row->digits), row);
 }
 
 /* ---- A line of values ---- */
@@ -176,41 +188,91 @@ static int read_field(const char *path, const struct column_map *c, struct sampl
     return samples_read(path, path, 1, c, s, why);
 }
 
+/* Drops the values and orders of a quantity if interpolation, off by off[i] at spacing i, hides its last two changes
+ * e. */
+static void check_between(const struct gci *g, const double *e, const double *off, struct gci_row *row) {
+    for (int i = g->n - 3; i + 1 < g->n; i++)
+        if (off[i] + off[i + 1] > 0) row->between = fmax(row->between, (off[i] + off[i + 1]) / fabs(e[i]));
+    if (row->between <= GCI_BETWEEN) return;
+    for (int i = 0; i < g->n; i++) row->value[i] = row->orders[i] = NAN;
+    row->order = row->extrapolated = row->change = row->index = NAN;
+}
+
 /* Differences between successive fields at the points of the third finest, at most PROBES of them. */
 static int compare_fields(struct gci *g, const struct samples *s, const struct interpolate *f, struct failure *why) {
     const struct samples *coarse = &s[g->n - 3];
     size_t stride = coarse->n / PROBES + 1;
-    double e[NUMBERS_MAX] = {0}, size = 0, *T = xcalloc((size_t)g->n, sizeof *T);
-    int status = STATUS_OK;
-    for (size_t k = 0; k < coarse->n && !status; k += stride) {
+    double e[NUMBERS_MAX] = {0}, off[NUMBERS_MAX] = {0}, size = 0, T[NUMBERS_MAX], by;
+    for (size_t k = 0; k < coarse->n; k += stride) {
         double x[DIM_MAX];
         samples_point(coarse, k, x);
-        for (int i = 0; i < g->n && !status; i++) status = interpolate_at(&f[i], x, &T[i], NULL, why);
+        for (int i = 0; i < g->n; i++) {
+            if (interpolate_sure(&f[i], x, &T[i], &by, why)) return why->status;
+            off[i] += by;
+        }
         for (int i = 0; i + 1 < g->n; i++) e[i] += fabs(T[i] - T[i + 1]);
         size += fabs(T[g->n - 1]);
     }
-    free(T);
     struct gci_row *row = add(g, "T (mean over the points)");
-    if (status || !row) return status;
+    if (!row) return STATUS_OK;
     for (int i = 0; i < g->n; i++) row->value[i] = NAN;
     judge(g, e, size, row);
     double unit = printed_unit(s[g->n - 1].value[COLUMN_T], s[g->n - 1].n, &row->digits) / 4;
     row->unsure = unsure_by(g, e, unit * (double)((coarse->n + stride - 1) / stride), row);
+    check_between(g, e, off, row);
     return STATUS_OK;
 }
 
 static int probe(struct gci *g, const struct interpolate *f, const struct numbers *at, struct failure *why) {
     char name[GCI_NAME];
     const double *x = at->value;
+    double e[NUMBERS_MAX] = {0}, off[NUMBERS_MAX];
     const int dim = f->field->dim;
     if (at->count != dim) return refuse(why, STATUS_INPUT, "--at: %d numbers, the points have %d", at->count, dim);
     snprintf(name, sizeof name, "T at %g", x[0]);
     for (int a = 1; a < at->count; a++) words_add(name, sizeof name, ", %g", x[a]);
     struct gci_row *row = add(g, name);
     for (int i = 0; i < g->n; i++)
-        if (interpolate_at(&f[i], x, &row->value[i], NULL, why)) return why->status;
-    judge_values(g, row);
+        if (interpolate_sure(&f[i], x, &row->value[i], &off[i], why)) return why->status;
+    differences(g, row, e);
+    judge_printed(g, row);
+    check_between(g, e, off, row);
     return STATUS_OK;
+}
+
+/* sum(w T)/sum(w) of one answer, K, and in *unit what printed digits and rounding leave open, K. */
+static double weighted_mean(const struct samples *s, double *unit, int *digits) {
+    const double *w = s->value[COLUMN_W], *T = s->value[COLUMN_T];
+    double sum = 0, size = 0, weights = 0;
+    for (size_t i = 0; i < s->n; i++) sum += w[i] * T[i], size += w[i] * fabs(T[i]), weights += w[i];
+    *unit = printed_unit(T, s->n, digits) / 4 + DBL_EPSILON * sqrt((double)s->n) * size / weights;
+    return sum / weights;
+}
+
+/* The mean, if each answer has weights. */
+static int take_means(struct gci *g, struct samples *s, struct failure *why) {
+    double unit = 0;
+    for (int i = 0; i < g->n; i++) {
+        if (!s[i].value[COLUMN_W]) return STATUS_OK;
+        if (samples_scale_weights(&s[i], why)) return why->status;
+    }
+    struct gci_row *row = add(g, "mean of T, weighted by w");
+    for (int i = 0; i < g->n; i++) row->value[i] = weighted_mean(&s[i], &unit, &row->digits);
+    judge_values(g, unit, row);
+    return STATUS_OK;
+}
+
+/* Refuses fields on points too few for any quantity. */
+static int refuse_hidden(const struct gci *g, const struct interpolate *f, struct failure *why) {
+    double least = INFINITY;
+    for (int k = 0; k < g->rows; k++) least = fmin(least, g->row[k].between);
+    if (least <= GCI_BETWEEN) return STATUS_OK;
+    return refuse(
+        why, STATUS_INPUT,
+        "%.150s: its points differ from those of other spacings, and interpolation between them is off by up to "
+        "%.2g of the change from grid to grid; an order needs at most %g: use finer grids, points that all grids "
+        "share (nodes), or a column w of volumes for the mean",
+        f->name, least, GCI_BETWEEN);
 }
 
 static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map *c, const struct numbers *at,
@@ -229,9 +291,12 @@ static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map 
         view[i] = (struct field){.dim = s[i].dim, .n = s[i].n, .T = value[COLUMN_T]};
         for (int a = 0; a < s[i].dim; a++) view[i].x[a] = value[COLUMN_X + a];
         f[i] = interpolate_begin(s[i].path, &view[i]);
+        interpolate_find_rows(&f[i]);
     }
     if (!status) status = compare_fields(g, s, f, why);
     if (!status && at->count) status = probe(g, f, at, why);
+    if (!status) status = take_means(g, s, why);
+    if (!status) status = refuse_hidden(g, &f[g->n - 3], why);
     for (int i = 0; i < g->n; i++) interpolate_end(&f[i]);
     free(f);
     free(view);
@@ -267,7 +332,7 @@ int gci_read(const char *dir, const struct column_map *c, const struct numbers *
     for (int i = 0; i < g->n && !status && values > 0; i++)
         if ((values = read_values(path[i], path[0], i, g, why)) < 0) status = why->status;
     if (!status && values)
-        for (int k = 0; k < g->rows; k++) judge_values(g, &g->row[k]);
+        for (int k = 0; k < g->rows; k++) judge_printed(g, &g->row[k]);
     else if (!status) {
         g->rows = 0;
         status = read_fields(path, c, at, g, why);
@@ -289,7 +354,8 @@ void gci_json(const struct gci *g, struct json *j) {
         json_numbers(j, "orders", row->orders, g->n - 2);
         json_add(j, "extrapolated %g|relative_change %g|gci %g|oscillates %d", row->extrapolated, row->change,
                  row->index, row->oscillates);
-        json_add(j, "printed_digits %d|order_unsure_by %g", row->digits, row->unsure);
+        json_add(j, "printed_digits %d|order_unsure_by %g|interpolation_share %g", row->digits, row->unsure,
+                 row->between);
         json_end(j);
     }
     json_end(j);

@@ -12,6 +12,8 @@ struct json;
 
 enum { GCI_QUANTITIES = 16, GCI_NAME = 48 };
 
+static const double GCI_BETWEEN = 0.1;
+
 struct gci_row { /* one quantity */
     char name[GCI_NAME];
     double value[NUMBERS_MAX];  /* at each spacing, coarsest first; NaN for a difference of fields */
@@ -23,6 +25,8 @@ struct gci_row { /* one quantity */
     int oscillates;             /* 1: successive changes have opposite signs */
     int digits;                 /* printed: most significant ones of any value */
     double unsure;              /* by how much those digits leave the order open */
+    double
+        between; /* error of interpolation between points over the change of the grids; above GCI_BETWEEN no order */
 };
 
 struct gci {
@@ -38,8 +42,8 @@ struct gci {
 double gci_order(double e21, double e32, double r21, double r32, int *oscillates);
 
 /* Reads DIR/H/out.csv and the like: either a field of points and T, or names with one line of values.  With `at`,
- * one or two numbers, the temperature at that point is a further quantity.  Returns STATUS_OK, or STATUS_INPUT with
- * *why. */
+ * one to three numbers, the temperature at that point is a further quantity; with a column w so is the mean.  Returns
+ * STATUS_OK, or STATUS_INPUT with *why: also if interpolation hides the order of all. */
 int gci_read(const char *dir, const struct column_map *c, const struct numbers *at, struct gci *g,
              struct failure *why);
 

@@ -17,6 +17,9 @@ struct interpolate {
     double lo[DIM_MAX], side[DIM_MAX]; /* boxes of about two points each */
     size_t count[DIM_MAX];
     size_t *first, *point; /* owned: the points sorted by box */
+    size_t along[DIM_MAX]; /* of rows and columns: lines of points across each axis; 0: none */
+    double *line[DIM_MAX]; /* owned: their coordinates, ascending */
+    double *value;         /* owned: T, the index along the first axis fastest */
 };
 
 /* Sorts the points into boxes; the caller keeps the field.  Release with interpolate_end. */
@@ -29,5 +32,14 @@ void interpolate_end(struct interpolate *f);
  * a point at x gives its own value.  Returns STATUS_INPUT with *why if there are too few points or rows of
  * points. */
 int interpolate_at(const struct interpolate *f, const double *x, double *T, double *gradient, struct failure *why);
+
+/* Finds rows and columns (and layers) among the points, if each of their crossings has one; for interpolate_sure. */
+void interpolate_find_rows(struct interpolate *f);
+
+/* The value at x, and in *off its difference from that of a lower degree, an estimate of its error that is too large
+ * for smooth fields.  On rows and columns the product of polynomials through eight points along each axis, against
+ * six: O(dx^8) and O(dx^6).  On other points least squares of degree five in the plane and four in space, against one
+ * less. */
+int interpolate_sure(const struct interpolate *f, const double *x, double *T, double *off, struct failure *why);
 
 #endif

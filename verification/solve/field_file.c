@@ -27,28 +27,6 @@ static void snap_to_walls(struct samples *s, const struct problem *p) {
     }
 }
 
-/* Divides the weights by a power of 2 near the largest, which is exact, so that sums with them do not overflow. */
-static int scale_weights(struct samples *s, struct failure *why) {
-    double *w = s->value[COLUMN_W], largest = 0;
-    for (size_t i = 0; i < s->n && w; i++) {
-        if (!(w[i] >= 0))
-            return refuse(why, STATUS_INPUT, "%.150s, line %ld: w = %g; a weight must be 0 or more", s->path,
-                          samples_line(s, i), w[i]);
-        largest = fmax(largest, w[i]);
-    }
-    if (w && !(largest > 0))
-        return refuse(why, STATUS_INPUT, "%.150s: all weights w are 0; a norm needs some above", s->path);
-    for (size_t i = 0; i < s->n && w; i++) {
-        double scaled = scalbn(w[i], -ilogb(largest));
-        if (w[i] > 0 && scaled < DBL_MIN)
-            return refuse(why, STATUS_INPUT,
-                          "%.150s, line %ld: w = %g beside a largest of %g: weights may differ by up to 1e307",
-                          s->path, samples_line(s, i), w[i], largest);
-        w[i] = scaled;
-    }
-    return STATUS_OK;
-}
-
 /* Refuses a temperature that no error of a method leads to.  A source alone gives no scale. */
 static int check_size(const struct samples *s, const struct problem *p, struct failure *why) {
     static const double OVERFLOW = 1e12; /* times the largest temperature of initial data and walls */
@@ -105,7 +83,7 @@ int field_file_read(const char *path, const char *name, const struct column_map 
     struct samples s;
     if (samples_read(path, name, p->dim, c, &s, why)) return why->status;
     int status = coverage_check(&s, image, d, why);
-    if (!status) status = scale_weights(&s, why);
+    if (!status) status = samples_scale_weights(&s, why);
     if (!status) status = check_size(&s, p, why);
     if (!status) {
         snap_to_walls(&s, p);

@@ -171,6 +171,74 @@ static void fields_on_different_points(void **state) {
     }
 }
 
+static double product_of_cosines(int dim, const double *x, double waves) {
+    double T = 1;
+    for (int a = 0; a < dim; a++) T *= cos(M_PI * (a ? waves : 1) * x[a]);
+    return T;
+}
+
+/* Cell centres of a unit square or cube with 10, 20 and 40 cells along each axis; T has the relative error 0.3 h^2.
+ * shift: of every second point, in cells. */
+static void write_cells(const char *sub, int dim, double waves, double shift, int with_weights) {
+    for (int n = 10; n <= 40; n *= 2) {
+        double h = 1.0 / n;
+        FILE *out = answer(sub, h);
+        fprintf(out, "x,y%s,T%s\n", dim == 3 ? ",z" : "", with_weights ? ",w" : "");
+        for (int c = 0; c < (dim == 3 ? n * n * n : n * n); c++) {
+            const double x[] = {h * (c % n + 0.5 + (c % 3 == 1 ? shift : 0)), h * (c / n % n + 0.5),
+                                h * (c / n / n + 0.5)};
+            for (int a = 0; a < dim; a++) fprintf(out, "%.17g,", x[a]);
+            fprintf(out, "%.17g%s\n", (0.7 + product_of_cosines(dim, x, waves)) * (1 + 0.3 * h * h),
+                    with_weights ? ",1e300" : "");
+        }
+        fclose(out);
+    }
+}
+
+/* Changes off by the share s at most move ln(e32/e21) by 2 s, and p by 2 s/ln 2.  The mean is 0.7, in sums of up to
+ * 64,000 terms, which round to 64,000 eps: 1e-11 of a last change of 4e-4. */
+static void interpolation_between_cells_leaves_the_order(void **state) {
+    (void)state;
+    struct gci g;
+    struct failure why;
+    for (int dim = 2; dim <= 3; dim++) {
+        write_cells("cells", dim, 1, 0, 1);
+        struct numbers at = {.count = dim, .value = {0.43, 0.37, 0.61}};
+        if (read_sub("cells", &at, &g, &why)) fail_msg("%s", why.text);
+        assert_int_equal(g.rows, 3);
+        for (int k = 0; k < 2; k++) {
+            assert_order(g.row[k].between, <, 0.01);
+            assert_near(g.row[k].order, 2, 2 * g.row[k].between / log(2));
+        }
+        assert_string_equal(g.row[2].name, "mean of T, weighted by w");
+        assert_near(g.row[2].extrapolated, 0.7, 3e-11);
+        assert_near(g.row[2].order, 2, 1e-7);
+    }
+}
+
+/* Waves of three cells a half on the coarsest grid hide 0.3 h^2, and so do points off rows of a plane; without
+ * weights nothing is left, and the remedy is named. */
+static void interpolation_that_hides_the_order_is_refused(void **state) {
+    (void)state;
+    struct gci g;
+    struct failure why;
+    struct numbers at = {.count = 2, .value = {0.43, 0.37}};
+    for (int scattered = 0; scattered < 2; scattered++) {
+        write_cells("short", 2, scattered ? 2 : 4, scattered ? 0.2 : 0, 1);
+        if (read_sub("short", &at, &g, &why)) fail_msg("%s", why.text);
+        for (int k = 0; k < 2; k++) {
+            assert_order(g.row[k].between, >, GCI_BETWEEN);
+            assert_nan(g.row[k].order);
+            assert_nan(g.row[k].index);
+        }
+        assert_true(g.row[2].between == 0);
+        write_cells("short", 2, scattered ? 2 : 4, scattered ? 0.2 : 0, 0);
+        assert_int_equal(read_sub("short", &at, &g, &why), STATUS_INPUT);
+        assert_has(why.text,
+                   "use finer grids, points that all grids share (nodes), or a column w of volumes for the mean");
+    }
+}
+
 /* A name longer than is kept is the same name in every file. */
 static void long_quantity_names_are_cut(void **state) {
     (void)state;
@@ -260,11 +328,17 @@ static void missing_answers_are_named(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_order_is_found_for_any_ratios), cmocka_unit_test(nonmonotone_changes_have_no_order),
-        cmocka_unit_test(gci_with_unequal_ratios),           cmocka_unit_test(gci_of_quantities),
-        cmocka_unit_test(fields_on_different_points),        cmocka_unit_test(long_quantity_names_are_cut),
-        cmocka_unit_test(points_on_one_row_are_a_rod),       cmocka_unit_test(few_digits_leave_the_order_open),
+        cmocka_unit_test(the_order_is_found_for_any_ratios),
+        cmocka_unit_test(nonmonotone_changes_have_no_order),
+        cmocka_unit_test(gci_with_unequal_ratios),
+        cmocka_unit_test(gci_of_quantities),
+        cmocka_unit_test(fields_on_different_points),
+        cmocka_unit_test(long_quantity_names_are_cut),
+        cmocka_unit_test(points_on_one_row_are_a_rod),
+        cmocka_unit_test(few_digits_leave_the_order_open),
         cmocka_unit_test(missing_answers_are_named),
+        cmocka_unit_test(interpolation_between_cells_leaves_the_order),
+        cmocka_unit_test(interpolation_that_hides_the_order_is_refused),
     };
     char command[UNIT_PATH + 32];
     gsl_set_error_handler_off();

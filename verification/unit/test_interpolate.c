@@ -56,7 +56,39 @@ static void interpolation_uses_near_points_in_a_long_box(void **state) {
         }
 }
 
+/* Rows and columns at unequal distances, and points off them: the mean estimate is above the mean error, and small.
+ */
+static void the_estimate_is_above_the_error(void **state) {
+    (void)state;
+    static double x[N], y[N], T[N];
+    for (int scattered = 0; scattered < 2; scattered++) {
+        for (int i = 0; i < N; i++) {
+            double shift = scattered ? 0.3 * sin(7.0 * i) : 0;
+            x[i] = pow((i % ALONG + 0.5 + shift) / ALONG, 1.2);
+            y[i] = (i / ALONG + 0.5 - shift) / ACROSS;
+            T[i] = exp(x[i]) * sin(9 * y[i]);
+        }
+        const struct field field = {.dim = 2, .n = N, .x = {x, y}, .T = T};
+        struct interpolate f = interpolate_begin("places", &field);
+        interpolate_find_rows(&f);
+        assert_int_equal(f.along[0], scattered ? 0 : ALONG);
+        double errors = 0, estimates = 0;
+        for (int k = 0; k < 50; k++) {
+            const double at[] = {0.5 + 0.5 * sin(3.0 * k), 0.5 + 0.5 * cos(5.0 * k)};
+            double value, off;
+            struct failure why;
+            if (interpolate_sure(&f, at, &value, &off, &why)) fail_msg("%s", why.text);
+            errors += fabs(value - exp(at[0]) * sin(9 * at[1]));
+            estimates += off;
+        }
+        assert_order(errors, <, estimates);
+        assert_order(estimates / 50, <, 1e-4);
+        interpolate_end(&f);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(interpolation_uses_near_points_in_a_long_box)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(interpolation_uses_near_points_in_a_long_box),
+                                       cmocka_unit_test(the_estimate_is_above_the_error)};
     return cmocka_run_group_tests_name("interpolate", tests, NULL, NULL);
 }
