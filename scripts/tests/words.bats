@@ -75,6 +75,37 @@ load common
     expect 2 'steps' heatladder limit so_ssph --dim 1 --stepper exact
 }
 
+measured=('run rod-gauss so_ssph --dx 0.5' 'ladder rod-gauss ftcs --dx 2,1,0.5,0.25' 'limit so_ssph --dim 1'
+    'bench --brief --scene rod-step' 'verify --only symmetry/*')
+
+@test "jq reads every verb that measures" {
+    needs jq
+    for line in "${measured[@]}" 'reference rod-gauss --at 0.25 --time 1' 'report claims --only pamplona/mass'; do
+        echo "$line"
+        # shellcheck disable=SC2086 # words
+        (set -f; heatladder $line --json - 2>text | jq -e 'length > 0')
+        [ -s text ]
+    done
+}
+
+@test "--csv: one header line, rows as long, the numbers of --json" {
+    for line in "${measured[@]}"; do
+        echo "$line"
+        # shellcheck disable=SC2086 # words
+        (set -f; heatladder $line --csv - 2>text >table.csv)
+        [ -s text ]
+        # Commas within quotes are taken out first.
+        awk '{ while (match($0, /"[^"]*"/)) $0 = substr($0, 1, RSTART - 1) substr($0, RSTART + RLENGTH) }
+             { if (NR > 1 && gsub(/,/, "") != commas) exit bad = 1; else if (NR == 1) commas = gsub(/,/, "") }
+             END { exit bad || NR < 2 || commas < 10 }' table.csv
+    done
+    heatladder run rod-gauss so_ssph --dx 0.5 --csv a/run.csv --json run.json
+    [ "$(head -n 1 a/run.csv | tr , '\n' | grep -c '^dx \[m\]$\|^error_linf \[K\]$')" -eq 2 ]
+    error=$(sed -n 's/^ *"error_l1": \(.*\),$/\1/p' run.json)
+    grep -q ",$error," a/run.csv
+    expect 2 'standard output takes one file' heatladder run rod-gauss so_ssph --dx 0.5 --csv - --json -
+}
+
 @test "reference: points, times, threads" {
     expect 0 'time,' heatladder reference rod-gauss --at 0.25 --time 0:1.5:4
     awk 'BEGIN { print "x,y"; for (i = 0; i < 20000; i++) printf "%.4f,%.4f\n", i % 101 / 1e3, i % 71 / 1e3 }' >points

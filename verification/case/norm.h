@@ -14,6 +14,6 @@ enum norm {
 extern const char *const norm_words[];   /* words of --norm, in the order of the enum, ended by NULL */
 extern const char *const norm_titles[];  /* including NORM_QUANTITY */
 extern const char *const norm_columns[]; /* NULL: shown only if it is fitted */
-extern const char *const norm_keys[];    /* in JSON */
+extern const char *const norm_keys[];    /* in JSON, with the unit (json.h) */
 
 #endif

@@ -36,6 +36,13 @@ const struct verb *verb_find(const char *name); /* NULL if there is none */
             option_text, place                                                                                       \
     }
 
+/* The row of --csv, the same. */
+#define CSV_OPTION(place, ...)                                                                                       \
+    {                                                                                                                \
+        "csv", "FILE", "write " __VA_ARGS__ " as CSV, columns as in JSON with their units; - for standard output",   \
+            option_text, place                                                                                       \
+    }
+
 /* Refuses an unknown verb and suggests the nearest one or its replacement. */
 int verb_unknown(const char *name, struct failure *why);
 

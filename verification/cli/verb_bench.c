@@ -19,8 +19,8 @@ static const char *const brief[] = {"rod-step", "square-step", "cube-step", NULL
 
 struct bench_options {
     struct command command;
-    const char *scene;     /* the one scene; NULL: all */
-    const char *json_path; /* NULL for none */
+    const char *scene;                /* the one scene; NULL: all */
+    const char *json_path, *csv_path; /* NULL for none */
     int brief;
 };
 
@@ -30,8 +30,19 @@ struct files {
     struct output file[WORDS_MAX];
 };
 
+/* The same measurements as JSON and as a table. */
+struct writers {
+    struct json json, table;
+};
+
+static void write_scene(struct json *j, const struct bench_scene *b) {
+    json_object(j, NULL);
+    bench_print_scene_json(b, j);
+    json_end(j);
+}
+
 /* Measures and prints one scene at its defaults; keeps its data if there is a directory. */
-static int bench_one(const struct bench_options *given, const struct scene *s, struct json *j, struct files *files,
+static int bench_one(const struct bench_options *given, const struct scene *s, struct writers *w, struct files *files,
                      struct failure *why) {
     struct experiment e = given->command.experiment;
     e.scene = s;
@@ -42,9 +53,8 @@ static int bench_one(const struct bench_options *given, const struct scene *s, s
         bench_run(&e, BENCH_BRIEF, BRIEF[e.problem.dim], b);
     else
         bench_run(&e, BENCH_LONG, SECONDS, b);
-    json_object(j, NULL);
-    bench_print_scene_json(b, j);
-    json_end(j);
+    write_scene(&w->json, b);
+    write_scene(&w->table, b);
     bench_print_scene(b, stdout);
     fflush(stdout);
     if (given->command.word[0])
@@ -54,41 +64,44 @@ static int bench_one(const struct bench_options *given, const struct scene *s, s
     return STATUS_OK;
 }
 
-static int bench_scenes(const struct bench_options *r, FILE *out, struct files *files, struct failure *why) {
-    struct json j = json_on(out);
+static int bench_scenes(const struct bench_options *r, struct writers *w, struct files *files, struct failure *why) {
     const struct scene *only = r->scene ? scene_find(r->scene) : NULL;
     const char *names[WORDS_MAX] = {0};
     int status = STATUS_OK;
     for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
     if (r->scene && !only) return words_unknown(names, "--scene", r->scene, why);
-    bench_print_machine_json(&j);
+    bench_print_machine_json(&w->json);
     bench_print_machine(stdout);
     fflush(stdout);
-    json_array(&j, "scenes");
+    json_array(&w->json, "scenes");
+    json_array(&w->table, "scenes");
     for (int i = 0; scenes[i] && !status; i++)
         if (only ? scenes[i] == only : !r->brief || words_index(brief, names[i]) >= 0)
-            status = bench_one(r, scenes[i], &j, files, why);
-    json_end(&j);
-    json_end(&j);
+            status = bench_one(r, scenes[i], w, files, why);
+    for (int depth = 2; depth > 0; depth--) json_end(&w->json), json_end(&w->table);
     return status;
 }
 
-/* DIR/bench.json, or the file of --json, is the first file. */
-static int bench_all(const struct bench_options *r, struct files *files, struct failure *why) {
-    const char *dir = r->command.word[0];
-    struct output *json = &files->file[files->count++];
-    FILE *out =
-        r->json_path ? output_open(json, "%s", r->json_path) : output_open(json, "%s/bench.json", dir ? dir : "");
-    int status = dir ? output_directory(dir, "bench.json", why) : STATUS_OK;
-    if (!status) status = output_check(r->json_path, why);
-    return status ? status : bench_scenes(r, out, files, why);
+/* Checks the places and opens the first two files: the JSON, in DIR where --json does not name it, and the table. */
+static int open_files(const struct bench_options *r, struct writers *w, struct files *files, struct failure *why) {
+    const char *dir = r->command.word[0], *csv = r->csv_path ? r->csv_path : "/dev/null";
+    struct output *json = &files->file[files->count++], *table = &files->file[files->count++];
+    if (dir && output_directory(dir, "bench.json", why)) return why->status;
+    if (output_check(r->json_path, why) || output_check(r->csv_path, why)) return why->status;
+    FILE *out = r->json_path ? output_open(json, "%s", r->json_path)
+                : dir        ? output_open(json, "%s/bench.json", dir)
+                             : output_open(json, "/dev/null");
+    *w = (struct writers){json_on(out), json_table(output_open(table, "%s", csv), 5)};
+    return STATUS_OK;
 }
 
 static int act(const void *options, struct failure *why) {
     const struct bench_options *r = options;
     struct files *files = xcalloc(1, sizeof *files);
-    int status = bench_all(r, files, why);
-    if (!status && (r->command.word[0] || r->json_path)) status = output_close(files->file, files->count, why);
+    struct writers writers;
+    int status = open_files(r, &writers, files, why);
+    if (!status) status = bench_scenes(r, &writers, files, why);
+    if (!status) status = output_close(files->file, files->count, why);
     output_drop(files->file, files->count);
     free(files);
     return status;
@@ -99,6 +112,7 @@ static const struct option own[] = {{"scene", "SCENE", "run only this scene", op
                                     {"brief", NULL,
                                      "a rod, a square and a cube, every method with its best stepper: ten seconds",
                                      option_flag, PLACE(brief)},
+                                    CSV_OPTION(PLACE(csv_path), "the measurements"),
                                     JSON_OPTION(PLACE(json_path), "the measurements"),
                                     {0}};
 

@@ -22,8 +22,8 @@
 
 struct ladder_options {
     struct command command;
-    const char *junit_path, *page_path; /* NULL for none */
-    const char *json_path;              /* NULL for none */
+    const char *junit_path, *page_path; /* NULL for none, also below */
+    const char *json_path, *csv_path;
 };
 
 static void print_text(const struct ladder *l, const struct diagnosis *d) {
@@ -55,11 +55,14 @@ static void print_text(const struct ladder *l, const struct diagnosis *d) {
     printf("diagnosis: %s\n", what);
 }
 
-static int write_json(const struct ladder *l, const struct diagnosis *d, const char *path, struct failure *why) {
+enum { ROW = 3 }; /* rungs or quantities are the rows of a table (json.h); 0: JSON */
+
+static int write_ladder(const struct ladder *l, const struct diagnosis *d, const char *path, int row,
+                        struct failure *why) {
     struct output page;
-    struct json j = json_on(output_open(&page, "%s", path));
+    struct json j = json_table(output_open(&page, "%s", path), row);
     ladder_json(l, &j);
-    diagnosis_json(d, &j);
+    if (!row) diagnosis_json(d, &j);
     json_end(&j);
     return output_close(&page, 1, why);
 }
@@ -107,9 +110,9 @@ static void print_gci(const struct gci *g) {
     printf("\n%s", gci_note);
 }
 
-static int write_gci_json(const struct gci *g, const char *path, struct failure *why) {
+static int write_gci(const struct gci *g, const char *path, int row, struct failure *why) {
     struct output page;
-    struct json j = json_on(output_open(&page, "%s", path));
+    struct json j = json_table(output_open(&page, "%s", path), row);
     gci_json(g, &j);
     json_end(&j);
     return output_close(&page, 1, why);
@@ -127,11 +130,13 @@ static int without_scene(const struct ladder_options *r, struct failure *why) {
     struct gci *g = xcalloc(1, sizeof *g);
     const struct numbers *expect = &r->command.rungs.expect;
     int status = output_check(r->json_path, why);
+    if (!status) status = output_check(r->csv_path, why);
     if (!status)
         status = gci_read(r->command.experiment.program.results, &r->command.experiment.program.columns,
                           &r->command.at, g, why);
     if (!status) print_gci(g);
-    if (!status && r->json_path) status = write_gci_json(g, r->json_path, why);
+    if (!status && r->json_path) status = write_gci(g, r->json_path, 0, why);
+    if (!status && r->csv_path) status = write_gci(g, r->csv_path, ROW, why);
     if (!status && expect->count) {
         const struct gci_row *row = judged_quantity(g);
         if (verdict_within(row->order, expect->value[0], expect->value[1]) != VERDICT_PASS)
@@ -170,13 +175,14 @@ static int write_junit(const struct ladder_options *r, const struct ladder *l, i
     return junit_write(&one, r->junit_path, why);
 }
 
-/* Writes page, JUnit and JSON; a failure to write counts if nothing else failed. */
+/* Writes page, JUnit, JSON and CSV; a failure to write counts if nothing else failed. */
 static int write_files(const struct ladder_options *r, const struct ladder *l, const struct diagnosis *d, int status,
                        struct failure *why) {
     struct failure unwritten = {0};
     if (r->page_path) page_ladder_write(l, d, r->command.typed, r->page_path, &unwritten);
     if (r->junit_path && !unwritten.status) write_junit(r, l, status, &unwritten);
-    if (r->json_path && !unwritten.status) write_json(l, d, r->json_path, &unwritten);
+    if (r->json_path && !unwritten.status) write_ladder(l, d, r->json_path, 0, &unwritten);
+    if (r->csv_path && !unwritten.status) write_ladder(l, d, r->csv_path, ROW, &unwritten);
     if (status || !unwritten.status) return status;
     *why = unwritten;
     return unwritten.status;
@@ -197,6 +203,7 @@ static int act(const void *options, struct failure *why) {
     int status = output_check(r->page_path, why);
     if (!status) status = output_check(r->junit_path, why);
     if (!status) status = output_check(r->json_path, why);
+    if (!status) status = output_check(r->csv_path, why);
     if (!status) status = check_finest(&r->command, why);
     struct experiment e = r->command.experiment;
     e.growth = 1;
@@ -224,6 +231,7 @@ static const struct option own[] = {
      PLACE(command.rungs.diagnose)},
     {"junit", "FILE", "write the verdict as JUnit XML", option_text, PLACE(junit_path)},
     {"page", "FILE", "write the verdict and its table as an HTML page", option_text, PLACE(page_path)},
+    CSV_OPTION(PLACE(csv_path), "the rungs"),
     JSON_OPTION(PLACE(json_path), "the ladder"),
     {0}};
 

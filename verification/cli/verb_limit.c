@@ -11,13 +11,14 @@
 
 struct limit_options {
     struct command command;
-    const char *json_path; /* NULL for none */
+    const char *json_path, *csv_path; /* NULL for none */
 };
 
-static int write_json(const struct model_problem *b, const struct step_limit *l, const char *path,
-                      struct failure *why) {
+/* row: of a table (json.h), 0 for JSON */
+static int write_limits(const struct model_problem *b, const struct step_limit *l, const char *path, int row,
+                        struct failure *why) {
     struct output page;
-    struct json j = json_on(output_open(&page, "%s", path));
+    struct json j = json_table(output_open(&page, "%s", path), row);
     step_limit_json(b, l, &j);
     json_end(&j);
     return output_close(&page, 1, why);
@@ -84,6 +85,7 @@ static int act(const void *options, struct failure *why) {
     struct step_limit l;
     struct model_problem b;
     int status = output_check(r->json_path, why);
+    if (!status) status = output_check(r->csv_path, why);
     if (!status)
         status = step_limit_setup(c->experiment.method, &c->experiment.options, c->dim, c->ratio, c->contact,
                                   c->stages, &b, why);
@@ -92,10 +94,13 @@ static int act(const void *options, struct failure *why) {
     if (status) return status;
     print_text(&b, &l);
     print_customary(&b, &l);
-    return r->json_path ? write_json(&b, &l, r->json_path, why) : STATUS_OK;
+    if (r->json_path && write_limits(&b, &l, r->json_path, 0, why)) return why->status;
+    return r->csv_path ? write_limits(&b, &l, r->csv_path, 1, why) : STATUS_OK;
 }
 
-static const struct option own[] = {JSON_OPTION(OPTION_PLACE(limit_options, json_path), "the limits"), {0}};
+static const struct option own[] = {CSV_OPTION(OPTION_PLACE(limit_options, csv_path), "the limits"),
+                                    JSON_OPTION(OPTION_PLACE(limit_options, json_path), "the limits"),
+                                    {0}};
 
 const struct verb verb_limit = {&command_syntaxes[COMMAND_LIMIT], own, sizeof(struct limit_options),
                                 "find the largest stable step: published, by von Neumann's analysis, and by trial",

@@ -16,7 +16,7 @@ struct run_options {
     struct command command;
     const char *field_path; /* NULL for none */
     int warm_up;
-    const char *json_path; /* NULL for none */
+    const char *json_path, *csv_path; /* NULL for none */
 };
 
 #define PLACE(member) OPTION_PLACE(run_options, member)
@@ -24,6 +24,7 @@ static const struct option own[] = {
     {"", .about = "Output:"},
     {"warm-up", NULL, "solve for 0.1 s before the timed run, not counted", option_flag, PLACE(warm_up)},
     {"field", "FILE", "write points, temperature and exact temperature as CSV", option_text, PLACE(field_path)},
+    CSV_OPTION(PLACE(csv_path), "the result"),
     JSON_OPTION(PLACE(json_path), "the result"),
     {0}};
 
@@ -79,9 +80,10 @@ static void print_text(const struct result *r, const struct problem *p, const ch
         printf("  %-14s %lld updates of other runs, to choose the time step\n", "search", r->search_updates);
 }
 
-static int write_json(const struct result *r, const char *path, struct failure *why) {
+/* row: of a table (json.h), 0 for JSON */
+static int write_result(const struct result *r, const char *path, int row, struct failure *why) {
     struct output page;
-    struct json j = json_on(output_open(&page, "%s", path));
+    struct json j = json_table(output_open(&page, "%s", path), row);
     result_json(r, &j);
     json_end(&j);
     return output_close(&page, 1, why);
@@ -112,6 +114,7 @@ static int check(const struct run_options *r, struct failure *why) {
                                         : "fourier");
     if (memory_check(&r->command.experiment, why)) return why->status;
     if (output_check(r->field_path, why)) return why->status;
+    if (output_check(r->csv_path, why)) return why->status;
     return output_check(r->json_path, why);
 }
 
@@ -130,7 +133,8 @@ static int act(const void *options, struct failure *why) {
     }
     if (!status && r->field_path) status = write_field(r, &field, why);
     if (!status) print_text(&result, &e.problem, quantity_unit(&e.quantity, &e.problem));
-    if (!status && r->json_path) status = write_json(&result, r->json_path, why);
+    if (!status && r->json_path) status = write_result(&result, r->json_path, 0, why);
+    if (!status && r->csv_path) status = write_result(&result, r->csv_path, 1, why);
     field_free(&field);
     return status;
 }

@@ -28,7 +28,7 @@ struct verify_options {
     double time_order;      /* order of the code in time; 0: any of 0.9 or more */
     int jobs;               /* cases of a program at a time; 0: 1 */
     int quick, verbose;
-    const char *json_path, *junit_path, *page_path; /* NULL for none */
+    const char *json_path, *csv_path, *junit_path, *page_path; /* NULL for none */
 };
 
 static void rungs_json(const struct rungs *l, struct json *j) {
@@ -59,9 +59,10 @@ static void gate_json(const struct gate_result *r, struct json *j) {
     json_end(j);
 }
 
-static int write_json(const struct gates *g, const char *path, struct failure *why) {
+/* row: of a table (json.h), 0 for JSON */
+static int write_verdicts(const struct gates *g, const char *path, int row, struct failure *why) {
     struct output page;
-    struct json j = json_on(output_open(&page, "%s", path));
+    struct json j = json_table(output_open(&page, "%s", path), row);
     char made[PAGE_ORIGIN];
     page_origin(made, sizeof made);
     json_text(&j, "made", made);
@@ -119,7 +120,8 @@ static int write_all(const struct gates *g, const struct verify_options *r, doub
     print_gates(g, r->verbose, seconds);
     fflush(stdout);
     if (getenv("GITHUB_ACTIONS")) print_annotations(g);
-    if (r->json_path && write_json(g, r->json_path, why)) return why->status;
+    if (r->json_path && write_verdicts(g, r->json_path, 0, why)) return why->status;
+    if (r->csv_path && write_verdicts(g, r->csv_path, 3, why)) return why->status;
     if (r->junit_path && junit_write(g, r->junit_path, why)) return why->status;
     if (r->page_path && write_page(g, r, why)) return why->status;
     return STATUS_OK;
@@ -144,7 +146,7 @@ static int run_gates(const struct verify_options *r, struct gates *g, struct fai
 static int verify(const struct verify_options *r, struct gate_file *file, struct gates *g, struct failure *why) {
     char origin[ORIGIN];
     if (output_check(r->json_path, why) || output_check(r->junit_path, why)) return why->status;
-    if (output_check(r->page_path, why)) return why->status;
+    if (output_check(r->csv_path, why) || output_check(r->page_path, why)) return why->status;
     if (collect(r, file, g, origin, why)) return why->status;
     double start = omp_get_wtime();
     int status = output_noted() ? STATUS_OK : run_gates(r, g, why);
@@ -194,6 +196,7 @@ static const struct option own[] = {
     {"page", "FILE", "write the verdict and its table as an HTML page, and the ladders as FILE.csv", option_text,
      PLACE(page_path)},
     {"junit", "FILE", "write the verdicts as JUnit XML", option_text, PLACE(junit_path)},
+    CSV_OPTION(PLACE(csv_path), "the verdicts"),
     JSON_OPTION(PLACE(json_path), "the verdicts"),
     {0}};
 

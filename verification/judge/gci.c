@@ -349,6 +349,7 @@ void gci_json(const struct gci *g, struct json *j) {
         const struct gci_row *row = &g->row[k];
         json_object(j, NULL);
         json_text(j, "quantity", row->name);
+        json_numbers(j, "spacings", g->h, g->n); /* a row of a table has all that it needs */
         json_numbers(j, "values", row->value, g->n);
         json_number(j, "observed_order", row->order);
         json_numbers(j, "orders", row->orders, g->n - 2);

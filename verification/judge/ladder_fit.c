@@ -171,6 +171,7 @@ void ladder_json(const struct ladder *l, struct json *j) {
         json_object(j, NULL);
         result_json(&l->rung[i], j);
         if (*l->vary) json_number(j, l->vary, ladder_asked(l, i));
+        json_number(j, "slope", i > 0 ? l->local[i - 1] : NAN); /* to the rung before */
         json_whole(j, "counts", l->window.counts[i]);
         json_text(j, "left_out", l->window.left_out[i][0] ? l->window.left_out[i] : NULL);
         json_end(j);

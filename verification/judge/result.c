@@ -52,26 +52,26 @@ static void errors_json(const struct result *r, struct json *j) {
 }
 
 static void shape_json(const struct result *r, struct json *j) {
-    json_add(j, "min %g|max %g|overshoot %g|undershoot %g|variation %g", r->shape.min, r->shape.max,
-             r->shape.overshoot, r->shape.undershoot, r->shape.variation);
-    json_number(j, "checkerboard", r->shape.checkerboard);
+    json_add(j, "min [K] %g|max [K] %g|overshoot [K] %g|undershoot [K] %g|variation [K] %g", r->shape.min,
+             r->shape.max, r->shape.overshoot, r->shape.undershoot, r->shape.variation);
+    json_number(j, "checkerboard [K]", r->shape.checkerboard);
     json_number(j, "heat_drift", r->heat_drift);
 }
 
 void result_json(const struct result *r, struct json *j) {
     json_add(j, "scene %s|method %s", r->scene->name, r->method->name);
     options_json(r, j);
-    json_number(j, "dx", r->options.dx);
+    json_number(j, "dx [m]", r->options.dx);
     json_text(j, "failure", r->failure.status ? r->failure.text : NULL);
     if (r->failure.status) {
         json_number(j, "error_l1", NAN);
         return;
     }
-    json_add(j, "dt %g|fourier %g|steps %lld|stages %d", r->dt, r->fourier, r->steps, r->stages);
+    json_add(j, "dt [s] %g|fourier %g|steps %lld|stages %d", r->dt, r->fourier, r->steps, r->stages);
     json_number(j, "saving_over_euler", r->saving);
-    json_add(j, "t_end %g|particles %zu", r->t_end, r->particles);
+    json_add(j, "t_end [s] %g|particles %zu", r->t_end, r->particles);
     errors_json(r, j);
-    json_add(j, "time_error %g|growth %g|reference_error %g", r->time_error, r->growth, r->reference_error);
+    json_add(j, "time_error %g|growth [1/s] %g|reference_error %g", r->time_error, r->growth, r->reference_error);
     shape_json(r, j);
     json_add(j, "seconds %g|step_seconds %g|updates %lld|search_updates %lld|interactions %lld", r->cost.seconds,
              r->cost.step_seconds, r->cost.updates, r->search_updates, r->cost.interactions);

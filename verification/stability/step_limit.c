@@ -201,7 +201,7 @@ void step_limit_json(const struct model_problem *b, const struct step_limit *l, 
     json_number(j, "contact", b->contact > 0 ? b->contact : NAN);
     json_add(j, "stepper %s|published %g|source %s|von_neumann %g|measured %g", stepper_words[b->step.stepper],
              l->published, l->source, l->von_neumann, l->measured);
-    json_add(j, "beta %g|radius %g|growth %g", l->beta, l->radius, l->growth);
+    json_add(j, "beta %g|radius [kappa/dx^2] %g|growth [kappa/dx^2] %g", l->beta, l->radius, l->growth);
     struct customary_step custom[CUSTOMARY_STEPS];
     int customs = step_limit_customary(b, custom);
     json_array(j, "customary");

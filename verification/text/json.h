@@ -3,7 +3,13 @@
 #define HEATLADDER_VERIFICATION_TEXT_JSON_H
 
 /* Writes JSON (RFC 8259) as it goes.  Numbers carry 17 digits, so that they read back to the same bits; a number that
- * is not finite becomes null.  `key` is the member's name, or NULL within an array and for the outermost value. */
+ * is not finite becomes null.  `key` is the member's name, or NULL within an array and for the outermost value; a
+ * unit may follow it in brackets, "dx [m]", which is the header of the column in CSV and no part of the name in JSON.
+ *
+ * The same calls write a table as CSV: a row is an object at a given depth, a cell a member of it, `NAME_1`, `NAME_2`
+ * ... the elements of an array of numbers in it; all else is left out, and null is an empty cell. */
+
+#include "verification/text/csv.h"
 
 #include <stdio.h>
 
@@ -14,10 +20,16 @@ struct json {
     int depth;
     int members[JSON_DEPTH]; /* written so far, per level */
     char closing[JSON_DEPTH];
+    int row;        /* depth of the rows of a table; 0: JSON */
+    struct csv csv; /* collected until the outermost object ends */
+    char array[64]; /* name of the last array */
 };
 
 /* With the outermost object open, to be ended by json_end; out stays the caller's. */
 struct json json_on(FILE *out);
+
+/* The same as CSV: `row` is 1 where the outermost object is the row, 3 for objects in an array in it. */
+struct json json_table(FILE *out, int row);
 
 void json_object(struct json *j, const char *key); /* ends with json_end */
 void json_array(struct json *j, const char *key);  /* ends with json_end */

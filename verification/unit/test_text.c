@@ -280,6 +280,50 @@ static void json_numbers_read_back_to_the_same_bits(void **state) {
     }
 }
 
+/* A row is an object of the second level; a member of its own, an array and a null in the second row. */
+static void json_calls_write_a_table(void **state) {
+    (void)state;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    struct json j = json_table(out, 3);
+    json_text(&j, "title", "no part of a row");
+    json_array(&j, "rows");
+    for (int row = 0; row < 2; row++) {
+        json_object(&j, NULL);
+        json_text(&j, "name", row ? "null" : "a \"b\", c\n");
+        if (row) json_whole(&j, "new", 7);
+        json_numbers(&j, "x [m]", (const double[]){1.0 / 3, row ? NAN : 2}, 2);
+        json_array(&j, "inner");
+        json_object(&j, NULL);
+        json_number(&j, "deeper", 1);
+        json_end(&j);
+        json_end(&j);
+        json_text(&j, "last", row ? NULL : "z");
+        json_end(&j);
+    }
+    json_end(&j);
+    json_end(&j);
+    fclose(out);
+    assert_string_equal(text, "name,new,x_1 [m],x_2 [m],last\n\"a \"\"b\"\", c?\",,0.33333333333333331,2,z\n"
+                              "null,7,0.33333333333333331,,\n");
+    free(text);
+}
+
+/* A unit is no part of the name. */
+static void json_omits_units(void **state) {
+    (void)state;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    struct json j = json_on(out);
+    json_add(&j, "dx [m] %g|n %d", 0.5, 2);
+    json_end(&j);
+    fclose(out);
+    assert_string_equal(text, "{\n  \"dx\": 0.5,\n  \"n\": 2\n}\n");
+    free(text);
+}
+
 /* ---- Tables ---- */
 
 static void expect(struct table *t, const char *printed) {
@@ -350,6 +394,8 @@ int main(void) {
         cmocka_unit_test(json_escapes_bytes_that_are_no_characters),
         cmocka_unit_test(json_adds_members_by_a_format),
         cmocka_unit_test(json_numbers_read_back_to_the_same_bits),
+        cmocka_unit_test(json_calls_write_a_table),
+        cmocka_unit_test(json_omits_units),
         cmocka_unit_test(tables_align_numbers_right_and_names_left),
         cmocka_unit_test(tables_align_a_last_column_of_sentences_left),
     };
