@@ -170,7 +170,7 @@ int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
 static const double CLOSE = 16 * DBL_EPSILON;
 
 int diagnosis_rounding(const struct field *f, double error, double cells, struct diagnosis *d) {
-    enum { MOST = 9, LEAST = 10 }; /* digits; and the number of values that cannot be round by chance */
+    enum { MOST = 9, LEAST = 10, ROUND = 4 }; /* digits; ten values of more than ROUND are not round by chance */
     int digits = 0, full = 0;
     const double off = CLOSE * field_largest(f);
     char text[NUMBER_PRINTED];
@@ -179,7 +179,7 @@ int diagnosis_rounding(const struct field *f, double error, double cells, struct
         int single = fabs(T - (float)T) <= off;
         int of = number_digits(T, T == 0 ? 0 : off / fabs(T), MOST, text);
         if (single && of > FLT_DIG + 1) of = FLT_DIG + 1;
-        full += of >= FLT_DIG;
+        full += of > ROUND;
         digits = of > digits ? of : digits;
     }
     double unit = 0.5 * pow(10, 1 - digits);

@@ -45,17 +45,37 @@ static const struct fault_places
               (const char *const[]){" of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi",
                                     " of side z_lo", " of side z_hi", "s"},
               "s"},
-    corners = {24,
-               (const char *const[]){
-                   "the corner x_lo, y_lo",       "the corner x_hi, y_lo",       "the corner x_lo, y_hi",
-                   "the corner x_hi, y_hi",       "the corner x_lo, y_lo, z_lo", "the corner x_hi, y_lo, z_lo",
-                   "the corner x_lo, y_hi, z_lo", "the corner x_hi, y_hi, z_lo", "the corner x_lo, y_lo, z_hi",
-                   "the corner x_hi, y_lo, z_hi", "the corner x_lo, y_hi, z_hi", "the corner x_hi, y_hi, z_hi",
-                   "the edge y_lo, z_lo",         "the edge y_hi, z_lo",         "the edge y_lo, z_hi",
-                   "the edge y_hi, z_hi",         "the edge x_lo, z_lo",         "the edge x_hi, z_lo",
-                   "the edge x_lo, z_hi",         "the edge x_hi, z_hi",         "the edge x_lo, y_lo",
-                   "the edge x_hi, y_lo",         "the edge x_lo, y_hi",         "the edge x_hi, y_hi"},
-               "a corner or an edge"},
+    corners = {29,
+               (const char *const[]){"the corner x_lo, y_lo",
+                                     "the corner x_hi, y_lo",
+                                     "the corner x_lo, y_hi",
+                                     "the corner x_hi, y_hi",
+                                     "the corner x_lo, y_lo, z_lo",
+                                     "the corner x_hi, y_lo, z_lo",
+                                     "the corner x_lo, y_hi, z_lo",
+                                     "the corner x_hi, y_hi, z_lo",
+                                     "the corner x_lo, y_lo, z_hi",
+                                     "the corner x_hi, y_lo, z_hi",
+                                     "the corner x_lo, y_hi, z_hi",
+                                     "the corner x_hi, y_hi, z_hi",
+                                     "the edge y_lo, z_lo",
+                                     "the edge y_hi, z_lo",
+                                     "the edge y_lo, z_hi",
+                                     "the edge y_hi, z_hi",
+                                     "the edge x_lo, z_lo",
+                                     "the edge x_hi, z_lo",
+                                     "the edge x_lo, z_hi",
+                                     "the edge x_hi, z_hi",
+                                     "the edge x_lo, y_lo",
+                                     "the edge x_hi, y_lo",
+                                     "the edge x_lo, y_hi",
+                                     "the edge x_hi, y_hi",
+                                     "the edges along x",
+                                     "the edges along y",
+                                     "the edges along z",
+                                     "all corners",
+                                     "all edges"},
+               "corners or edges"},
     laws = {LAWS,
             (const char *const[]){"were that of the initial temperature", "were that of the reference temperature",
                                   "were that of side x_lo", "were that of side x_hi", "were that of side y_lo",
@@ -126,6 +146,10 @@ static int has_changing_source(const struct problem *p, int at) {
 static int has_interface(const struct problem *p, int at) {
     (void)at;
     return p->materials == 2;
+}
+
+static int has_other_axis(const struct problem *p, int at) {
+    return has_interface(p, at) && at > 0 && at < p->dim;
 }
 
 static int has_capacities(const struct problem *p, int at) {
@@ -199,6 +223,12 @@ static int has_axis_of_walls(const struct problem *p, int at) {
     return 0;
 }
 
+static int has_loads(const struct problem *p, int at) {
+    int fluxes = 0;
+    for (int s = 0; s < 2 * p->dim; s++) fluxes += p->side[s] == NEUMANN && has_value(p, s);
+    return has_source(p, at) && fluxes;
+}
+
 static int is_cooled(const struct problem *p, int s) {
     return s < 2 * p->dim && p->side[s] == ROBIN && p->robin[s] > 0;
 }
@@ -229,13 +259,14 @@ static int has_diffusivities(const struct problem *p, int at) {
     return has_capacities(p, at) && fault_is_pace(p);
 }
 
-static int has_corner(const struct problem *p, int corner) {
+static int has_corner(const struct problem *p, int place) {
     int held = 0;
-    if (p->dim == 1 || (p->dim == 2) != (corner < 4) || p->shape || p->k_law) return 0;
-    for (int a = 0; a < p->dim; a++) {
-        int s = faulty_side(corner, a);
-        held = held || (s >= 0 && p->side[s] == DIRICHLET && has_value(p, s));
-    }
+    if (p->dim == 1 || (p->dim == 2) != (faulty_corner(place, 0) < 4) || p->shape || p->k_law) return 0;
+    for (int i = 0; faulty_corner(place, i) >= 0; i++)
+        for (int a = 0; a < p->dim; a++) {
+            int s = faulty_side(faulty_corner(place, i), a);
+            held = held || (s >= 0 && is_open(p, s) && has_value(p, s));
+        }
     return held;
 }
 
@@ -370,6 +401,10 @@ static void interface(struct faulty *f) {
     f->problem.interface += f->size;
 }
 
+static void turned(struct faulty *f) {
+    f->across = f->fault.at, f->by_steps = 1;
+}
+
 static void mean(struct faulty *f) {
     f->mean = MEAN_ARITHMETIC;
 }
@@ -445,6 +480,12 @@ static void wall(struct faulty *f) {
     for (int s = 0; s < 2 * f->problem.dim; s++)
         if (f->fault.at == s || (f->fault.at == FAULT_ALL_SIDES && f->right->side[s] == NEUMANN))
             f->wall[s] = 1 + f->size;
+}
+
+static void loads(struct faulty *f) {
+    f->source = 0;
+    for (int s = 0; s < 2 * f->problem.dim; s++)
+        if (f->right->side[s] == NEUMANN) f->wall[s] = 0;
 }
 
 static void insulated(struct faulty *f) {

@@ -16,6 +16,13 @@ int faulty_side(int corner, int a) {
     return a == along ? -1 : 2 * a + (edge % 4 >> (a - (a > along)) & 1);
 }
 
+int faulty_corner(int place, int i) {
+    if (place < 24) return i == 0 ? place : -1;
+    if (place < 27) return i < 4 ? 12 + 4 * (place - 24) + i : -1;
+    if (place == 27) return i < 4 ? i : -1;
+    return i < 12 ? 12 + i : -1;
+}
+
 enum side faulty_from(const struct faulty *f, int s) {
     return (enum side)(2 * f->from[s / 2] + s % 2);
 }
@@ -75,21 +82,32 @@ static double wall_rate(const struct problem *p, enum side s, const double *x, d
     return scaled(f, s, f->right->wall_rate(f->right, faulty_from(f, (int)s), at, t), 0);
 }
 
-/* Heat lost in the cell of a corner or the cells of an edge, W m^-3, if its Dirichlet sides at T are assumed cold: 2
- * k T/dx^2 for each, across half a cell.  It is zero on a side and even about it, so ghosts do not contribute. */
-static double lost_at_corner(const struct faulty *f, const double *x) {
+/* Heat lost in the cell of a corner or the cells of an edge, W m^-3, if its sides at T, or with air at T, are assumed
+ * cold: T/(r dx) for each, r being dx/2k of half a cell and 1/b.  It is zero on a side and even about it, so ghosts
+ * do not contribute. */
+static double lost_at_corner(const struct faulty *f, int corner, const double *x) {
     const struct problem *p = f->right;
     double dx = f->size, lost = 0;
-    if (f->corner < 0) return 0;
     for (int a = 0; a < p->dim; a++) {
-        int s = faulty_side(f->corner, a);
+        int s = faulty_side(corner, a);
         double away = s < 0 ? dx / 2 : fabs(x[a] - (s % 2 ? p->hi[a] : p->lo[a]));
         if (away < dx / 4 || away > 3 * dx / 4) return 0;
     }
     for (int a = 0; a < p->dim; a++) {
-        int s = faulty_side(f->corner, a);
-        if (s >= 0 && p->side[s] == DIRICHLET)
-            lost += 2 * p->material[0].k[a] * p->wall(p, (enum side)s, x, 0) / (dx * dx);
+        int s = faulty_side(corner, a);
+        if (s < 0 || (p->side[s] != DIRICHLET && p->side[s] != ROBIN)) continue;
+        double resistance = dx / (2 * p->material[0].k[a]) + (p->side[s] == ROBIN ? 1 / p->robin[s] : 0);
+        lost += p->wall(p, (enum side)s, x, 0) / (resistance * dx);
+    }
+    return lost;
+}
+
+/* A corner of a box is on several edges, and loses its heat once. */
+static double lost_at_corners(const struct faulty *f, const double *x) {
+    double lost = 0;
+    for (int i = 0; f->corner >= 0 && faulty_corner(f->corner, i) >= 0; i++) {
+        double at_one = lost_at_corner(f, faulty_corner(f->corner, i), x);
+        if (fabs(at_one) > fabs(lost)) lost = at_one;
     }
     return lost;
 }
@@ -98,7 +116,7 @@ static double source_at(const struct problem *p, const double *x, double t) {
     double at[DIM_MAX];
     const struct faulty *f = faulty_at(p, x, at);
     double value = problem_source(f->right, at, f->source_frozen ? 0 : t + f->source_late);
-    return f->factor * f->source * value - lost_at_corner(f, at);
+    return f->factor * f->source * value - lost_at_corners(f, at);
 }
 
 static double source(const struct problem *p, const double *x) {

@@ -37,7 +37,8 @@ struct faulty {
     double along[DIM_MAX];                    /* m: they are those of a point further up this axis */
     int frozen, source_frozen;                /* 1: data that change keep their first values */
     double source, source_late;               /* factor; s */
-    int corner;         /* the corner that loses its Dirichlet data, see faulty_side; -1: none */
+    int corner;                               /* the corners that lose what sides hold, see faulty_corner; -1: none */
+    int across;         /* the axis across which the materials meet, at the same part of its extent */
     int kept;           /* the layer beside this side keeps its first values; -1: none */
     int by_steps;       /* 1: a change of the equation, which response.c solves by itself */
     int laplacian;      /* 1: k lap T stands for div(k grad T) */
@@ -51,6 +52,10 @@ int faulty_make(const struct problem *p, struct fault fault, double size, struct
 /* The side across axis a that a corner or an edge is on; -1: the edge is along a.  Corners: 2 y + x of a plane, with
  * 1 for the upper end; 4 + 4 z + 2 y + x of a box; 12 + 4 c + bits of its edge along axis c. */
 int faulty_side(int corner, int a);
+
+/* Corner or edge i of a place: itself (below 24), the four edges along an axis, all corners of a plane, all edges of
+ * a box; -1: there are no more. */
+int faulty_corner(int place, int i);
 
 /* The side in the place of s, where axes are exchanged. */
 enum side faulty_from(const struct faulty *f, int s);

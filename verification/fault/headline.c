@@ -25,6 +25,7 @@ struct hypothesis {
     const char *unit;
     double size, score;
     int votes;
+    double voted;                  /* mean share of the rows that vote */
     const struct fault_fit *shown; /* the fit of the row that shows it best */
 };
 
@@ -36,10 +37,12 @@ static int names(const struct diagnosis *row, const struct hypothesis *h) {
     static const double HALF_CELL = 0.75;
     const enum fault_kind kind = h->fault.kind;
     int some = kind == FAULT_SOME_STEPS && row->fault.kind == FAULT_CLOCK && strcmp(row->unit, "steps") == 0;
-    if (!row->named || (row->fault.kind != kind && !some)) return 0;
+    /* if walls alone change T, an early end and early walls leave the same difference of two runs */
+    int early = kind == FAULT_CLOCK && row->fault.kind == FAULT_WALL_TIME && strcmp(h->unit, "steps") == 0;
+    if (!row->named || (row->fault.kind != kind && !some && !early)) return 0;
     if (kind == FAULT_NOISE || kind == FAULT_UNSTABLE || fault_rows[kind].unit == UNIT_WHOLE) return 1;
     if (strcmp(row->unit, h->unit) != 0) return 0;
-    if (kind == FAULT_WALL_TIME && strcmp(h->unit, "steps") == 0)
+    if ((early || kind == FAULT_WALL_TIME) && strcmp(h->unit, "steps") == 0)
         return row->size * h->size > 0 && fabs(row->size - h->size) <= HALF_CELL;
     return fabs(row->size - h->size) <= SAME * fmin(fabs(row->size), fabs(h->size));
 }
@@ -78,12 +81,14 @@ static double share_of(const struct diagnosis *row, const struct hypothesis *h) 
 
 /* Sets score and votes with h->size. */
 static void score(struct hypothesis *h, const struct diagnosis *row, int failing, int known) {
-    h->score = 0, h->votes = 0;
+    h->score = 0, h->votes = 0, h->voted = 0;
     for (int i = 0; i < failing; i++) {
         double share = share_of(&row[i], h);
         h->score += share / known;
         h->votes += share >= VOTE;
+        h->voted += share >= VOTE ? share : 0;
     }
+    if (h->votes) h->voted /= h->votes;
     if (fault_rows[h->fault.kind].is & FAULT_RARE) h->score -= NOISE / 2;
 }
 
@@ -165,8 +170,10 @@ static int is_better(const struct hypothesis *a, const struct hypothesis *b) {
     return a->score > b->score;
 }
 
-/* Whether it is the cause of at least half of the rows, and no other fault is nearly as good. */
+/* Whether it is the cause of at least half of the rows, nothing else has a part in them, and no other fault is nearly
+ * as good. */
 static int is_firm(const struct hypothesis *list, int n, const struct hypothesis *best, int known) {
+    if (best->voted < FIT_SHARE) return 0;
     double apart = best->votes >= MOST_ROWS * known ? NOISE : 5 * NOISE;
     for (int i = 0; i < n; i++)
         if (list[i].fault.kind != best->fault.kind && list[i].score > best->score - apart) return 0;
@@ -197,19 +204,20 @@ struct headline headline_choose(const struct diagnosis *found, int failing, head
     int known = 0, n = suggest(found, failing, list, MOST);
     for (int i = 0; i < failing; i++) known += found[i].named || found[i].evidence;
     for (int i = 0; i < n; i++) judge(&list[i], found, failing, known);
+    double least = 0;
     for (int try = 0; try < TRIES && n > 0; try++) {
         int best = 0;
         for (int i = 1; i < n; i++)
             if (is_better(&list[i], &list[best])) best = i;
-        if (list[best].votes < 2 && !(known == 1 && list[best].votes)) break;
-        h.fault = named(&list[best], found, failing);
-        h.scope = contradicts ? contradicts(&h.fault, context) : 0;
-        if (h.scope != 1) {
-            h.share = list[best].score, h.votes = list[best].votes;
-            h.is_firm = is_firm(list, n, &list[best], known);
-            break;
+        if (list[best].score < least || (list[best].votes < 2 && !(known == 1 && list[best].votes))) break;
+        struct diagnosis d = named(&list[best], found, failing);
+        int scope = contradicts ? contradicts(&d, context) : 0;
+        if (scope == 0 || (scope == 2 && !h.fault.named)) {
+            int is_sure = is_firm(list, n, &list[best], known);
+            h = (struct headline){d, list[best].score, list[best].votes, failing, is_sure, scope};
         }
-        h.fault = (struct diagnosis){.named = 0};
+        if (scope == 0) break;
+        if (scope == 2) least = h.share - NOISE; /* one that no row contradicts is better if it explains as much */
         list[best] = list[--n];
     }
     free(list);

@@ -36,9 +36,16 @@ static void centre(const struct steps *c, int i, double x[DIM_MAX]) {
     for (int a = 0; a < DIM_MAX; a++) x[a] = c->f->right->lo[a] + (i / c->stride[a] % c->n[a] + 0.5) * c->dx;
 }
 
-static double conducts(const struct problem *p, const double *x, int a, double T) {
-    if (p->k_law) return kirchhoff_k(p, T);
-    return p->material[p->materials == 2 && x[0] >= p->interface].k[a];
+/* The material at x. */
+static const struct material *material_at(const struct faulty *f, const double *x) {
+    const struct problem *p = &f->problem;
+    const int a = f->across;
+    double part = (p->interface - p->lo[0]) / (p->hi[0] - p->lo[0]);
+    return &p->material[p->materials == 2 && x[a] >= p->lo[a] + part * (p->hi[a] - p->lo[a])];
+}
+
+static double conducts(const struct faulty *f, const double *x, int a, double T) {
+    return f->problem.k_law ? kirchhoff_k(&f->problem, T) : material_at(f, x)->k[a];
 }
 
 /* The heat that face `hi` across axis a adds to the cell i at x, W m^-3. */
@@ -46,7 +53,7 @@ static double through(const struct steps *c, int i, const double *x, int a, int 
     const struct problem *p = &c->f->problem;
     const enum side s = (enum side)(2 * a + hi);
     const int place = i / c->stride[a] % c->n[a], at_side = place == (hi ? c->n[a] - 1 : 0);
-    double k = conducts(p, x, a, c->T[i]), dx2 = c->dx * c->dx, y[DIM_MAX] = {x[0], x[1], x[2]};
+    double k = conducts(c->f, x, a, c->T[i]), dx2 = c->dx * c->dx, y[DIM_MAX] = {x[0], x[1], x[2]};
     if (at_side && p->side[s] != PERIODIC) {
         y[a] = hi ? p->hi[a] : p->lo[a];
         double value = p->wall(p, s, y, t), half = c->dx / (2 * k);
@@ -55,7 +62,7 @@ static double through(const struct steps *c, int i, const double *x, int a, int 
     }
     int j = i + (hi ? 1 : -1) * c->stride[a] * (at_side ? 1 - c->n[a] : 1);
     y[a] += hi ? c->dx : -c->dx;
-    double beyond = conducts(p, y, a, c->T[j]), both = p->k_law ? (k + beyond) / 2 : 2 * k * beyond / (k + beyond);
+    double beyond = conducts(c->f, y, a, c->T[j]), both = p->k_law ? (k + beyond) / 2 : 2 * k * beyond / (k + beyond);
     return (c->f->laplacian ? k : both) * (c->T[j] - c->T[i]) / dx2 * (at_side && c->f->twice[a] ? 2 : 1);
 }
 
@@ -66,7 +73,7 @@ static void step(struct steps *c, double t, double dt) {
         centre(c, i, x);
         c->rate[i] = problem_source(p, x, t);
         for (int face = 0; face < 2 * p->dim; face++) c->rate[i] += through(c, i, x, face / 2, face % 2, t);
-        c->rate[i] /= p->material[p->materials == 2 && x[0] >= p->interface].rho_c;
+        c->rate[i] /= material_at(c->f, x)->rho_c;
     }
     for (int i = 0; i < c->all; i++) c->T[i] += dt * c->rate[i];
 }

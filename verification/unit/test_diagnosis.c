@@ -143,6 +143,9 @@ static void rounded_temperatures_are_named(void **state) {
     assert_near(d.size, 9, 0);
     T[17] = 1.1 + sqrt(17) / 70;
     assert_int_equal(diagnosis_rounding(&f, 1e-7, 40, &d), 0); /* one with all its digits */
+    for (int i = 0; i < 40; i++) T[i] = nearbyint(1e4 * (1.1 + sqrt(i) / 70)) / 1e4;
+    assert_int_equal(diagnosis_rounding(&f, 1e-3, 40, &d), 1);
+    assert_near(d.size, 5, 0);
     for (int i = 0; i < 40; i++) T[i] = 1 + i / 40.0;
     assert_int_equal(diagnosis_rounding(&f, 1e-7, 40, &d), 0); /* round by themselves */
     for (int i = 0; i < 40; i++) T[i] = i % 4 ? nearbyint(1e5 * (1.1 + sqrt(i) / 70)) / 1e5 : i / 8.0;

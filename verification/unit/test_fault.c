@@ -84,8 +84,10 @@ static void sides_and_corners_have_faults_of_their_own(void **state) {
         int right = corner & 1, upper = corner >> 1;
         double x[2] = {right ? side - dx / 2 : dx / 2, upper ? side - dx / 2 : dx / 2};
         double lost = 2 * k * (T[X_LO + right] + T[Y_LO + upper]) / (dx * dx);
-        assert_true(faulty_make(&p, (struct fault){FAULT_CORNER, corner}, dx, &with));
-        assert_near(problem_source(&with.problem, x, 0), -lost, 1e-12 * lost);
+        for (int all = 0; all < 2; all++) {
+            assert_true(faulty_make(&p, (struct fault){FAULT_CORNER, all ? 27 : corner}, dx, &with));
+            assert_near(problem_source(&with.problem, x, 0), -lost, 1e-12 * lost);
+        }
     }
 }
 
@@ -148,7 +150,16 @@ static void faults_apply_to_existing_parts_only(void **state) {
         {"rect-manufactured", {FAULT_ISOTROPIC, 2}, 0},
         {"box-manufactured", {FAULT_CORNER, 3}, 0},
         {"box-manufactured", {FAULT_CORNER, 11}, 1},
-        {"box-manufactured", {FAULT_CORNER, 12}, 0}, /* the edge between a flux and air */
+        {"box-manufactured", {FAULT_CORNER, 12}, 1}, /* the edge between a flux and air */
+        {"box-manufactured", {FAULT_CORNER, 26}, 1}, /* the edges along z */
+        {"box-manufactured", {FAULT_CORNER, 27}, 0}, /* the corners of a plane */
+        {"plate", {FAULT_CORNER, 27}, 1},
+        {"plate", {FAULT_CORNER, 28}, 0},
+        {"rect-manufactured", {FAULT_LOADS, 0}, 1},
+        {"plate", {FAULT_LOADS, 0}, 0},
+        {"plane-contact", {FAULT_TURNED, 0}, 0},
+        {"plane-contact", {FAULT_TURNED, 1}, 1},
+        {"rod-contact", {FAULT_TURNED, 1}, 0},
         {"box-manufactured", {FAULT_CORNER, 23}, 1},
         {"plate", {FAULT_CORNER, 2}, 1},
         {"square-step", {FAULT_CORNER, 0}, 0}, /* Dirichlet value 0 */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sentences for faults, and one headline for all rows of a battery. */
 #include "verification/fault/headline.h"
+#include "verification/fault/fit.h"
 #include "verification/fault/wording.h"
 
 #include "verification/unit/diagnosed_problems.h"
@@ -128,6 +129,55 @@ static int against_clocks(const struct diagnosis *fault, const void *context) {
     return fault->fault.kind == FAULT_CLOCK ? *(const int *)context : 0;
 }
 
+static int confine(const struct diagnosis *fault, const void *context) {
+    return fault->fault.kind == *(const enum fault_kind *)context ? 2 : 0;
+}
+
+/* In one row a conductivity and an end time explain the same: if rows outside its class contradict one, it is the
+ * other.  An offset has no such rival. */
+static void a_fault_of_all_rows_is_better_than_one_of_a_class(void **state) {
+    (void)state;
+    for (int rivals = 0; rivals < 2; rivals++) {
+        struct fault fault = {rivals ? FAULT_CONDUCTIVITY : FAULT_OFFSET, 0};
+        struct diagnosis found = shown("rod-gauss", fault, 0.2, 0.15);
+        struct headline h = headline_choose(&found, 1, NULL, NULL);
+        const enum fault_kind first = h.fault.fault.kind;
+        assert_true(h.fault.named);
+        h = headline_choose(&found, 1, confine, &first);
+        print_message("%s, then %s\n", fault_rows[first].name, h.fault.what);
+        assert_int_equal(h.fault.fault.kind == first, !rivals);
+        assert_int_equal(h.scope, rivals ? 0 : 2);
+        free(found.evidence);
+    }
+}
+
+/* Two runs of different steps show walls 1.6 steps early: one step of the run, and half a cell. */
+static void a_step_too_few_explains_walls_that_are_early(void **state) {
+    (void)state;
+    const struct diagnosis early = of(FAULT_CLOCK, 0, -1, "steps"), walls = of(FAULT_WALL_TIME, 0, -1.6, "steps"),
+                           half = of(FAULT_WALL_TIME, 0, -0.2, "steps");
+    const struct diagnosis found[] = {walls, early, walls, half};
+    struct headline h = headline_choose(found, 4, NULL, NULL);
+    assert_int_equal(h.fault.fault.kind, FAULT_CLOCK);
+    assert_int_equal(h.votes, 3);
+}
+
+/* A fault that leaves a sixth of each error is not all of the cause: with it, another is planted. */
+static void a_part_of_all_errors_is_not_firm(void **state) {
+    (void)state;
+    struct diagnosis found[2];
+    for (int i = 0; i < 2; i++) {
+        found[i] = shown("rect-manufactured", (struct fault){FAULT_WALL, X_LO}, 0.1, 0.05);
+        for (int k = 0; k < found[i].evidence->n; k++)
+            for (int r = 0; r < 2; r++) /* the errors gain what no fault explains */
+                found[i].evidence->fit[k].rung[r].product[0][0] *= 1.18,
+                    found[i].evidence->fit[k].rung[r].share /= 1.18;
+    }
+    struct headline h = headline_choose(found, 2, NULL, NULL);
+    assert_true(h.fault.named && !h.is_firm);
+    for (int i = 0; i < 2; i++) free(found[i].evidence);
+}
+
 /* Rows without fits vote by name; rows that pass refute the winner, or confine it to a class. */
 static void rows_that_pass_decide(void **state) {
     (void)state;
@@ -175,6 +225,9 @@ int main(void) {
         cmocka_unit_test(one_fault_explains_all_rows),
         cmocka_unit_test(rows_that_disagree_name_nothing_firmly),
         cmocka_unit_test(rows_that_pass_decide),
+        cmocka_unit_test(a_fault_of_all_rows_is_better_than_one_of_a_class),
+        cmocka_unit_test(a_step_too_few_explains_walls_that_are_early),
+        cmocka_unit_test(a_part_of_all_errors_is_not_firm),
         cmocka_unit_test(effects_above_a_ceiling_contradict),
     };
     return cmocka_run_group_tests_name("headline", tests, NULL, NULL);

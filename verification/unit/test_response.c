@@ -220,6 +220,29 @@ static void faces_lie_on_jumps_and_interfaces(void **state) {
     }
 }
 
+/* Materials that meet across y change T unless they are equal. */
+static void materials_that_meet_across_y_differ(void **state) {
+    (void)state;
+    struct problem p;
+    struct failure why;
+    struct field f;
+    double dx = 0.1, change[2] = {0, 0};
+    scene_defaults(scene_find("plane-contact"), &p);
+    if (scene_find("plane-contact")->setup(&p, &why)) fail_msg("%s", why.text);
+    const int n[] = {(int)lround((p.hi[0] - p.lo[0]) / dx), (int)lround((p.hi[1] - p.lo[1]) / dx), 1};
+    field_alloc_lattice(&f, 2, n, NULL);
+    for (int a = 0; a < 2; a++)
+        for (int i = 0; i < n[a]; i++) f.x[a][i] = p.lo[a] + (i + 0.5) * dx;
+    for (int equal = 0; equal < 2; equal++) {
+        if (equal) p.material[1] = p.material[0];
+        assert_int_equal(response_on_cells(&p, dx, (struct fault){FAULT_TURNED, 1}, &f, f.T), 0);
+        for (size_t i = 0; i < f.n; i++) change[equal] = fmax(change[equal], fabs(f.T[i]));
+    }
+    assert_order(change[0], >, 0.1);
+    assert_near(change[1], 0, 0);
+    field_free(&f);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -228,6 +251,7 @@ int main(void) {
         cmocka_unit_test(a_response_is_per_unit_of_the_size),
         cmocka_unit_test(faces_lie_on_jumps_and_interfaces),
         cmocka_unit_test(errors_are_seen_at_the_spacing_of_the_rung),
+        cmocka_unit_test(materials_that_meet_across_y_differ),
     };
     return cmocka_run_group_tests_name("response", tests, NULL, NULL);
 }
