@@ -224,7 +224,7 @@ wheel: static $(WHOLE) ## Pack the static binary, the library and the Python pac
 	@rm -rf $(BUILD)/wheel && mkdir -p $(BUILD)/wheel
 	$(Q)cp -R scripts/python/. $(BUILD)/wheel/ && mkdir -p $(addprefix $(BUILD)/wheel/heatladder/,bin lib)
 	$(Q)cp $(STATIC) $(BUILD)/wheel/heatladder/bin/heatladder && cp $(WHOLE) $(BUILD)/wheel/heatladder/lib/
-	$(Q)cd $(BUILD)/wheel && SOURCE_DATE_EPOCH=$${SOURCE_DATE_EPOCH:-946684800} $(PYTHON3) -W ignore setup.py -q bdist_wheel
+	$(Q)$(PYTHON3) $(BUILD)/wheel/pack_wheel.py $(BUILD)/wheel/dist
 	@echo "  PACK  $$(ls $(BUILD)/wheel/dist/*.whl)"
 
 clean: ## Remove everything that was built

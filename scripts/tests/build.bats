@@ -109,8 +109,8 @@ copy() { # the rest of the test is there
     mkdir -p b/static
     make -s -C "$tree" BUILD="$PWD/b" OBJECTS="$PWD/tiny.o" static
     run ! grep -q INTERP <(readelf -l b/static/heatladder)
-    python=$("$tree/scripts/interpreter" setuptools)
-    "$python" -c 'import wheel' || skip "setuptools and wheel are not here"
+    python=$("$tree/scripts/interpreter" zipfile)
+    [ -n "$python" ] || skip "python3 is not here"
     make -s -C "$tree" BUILD="$PWD/b" STATIC="$program" PYTHON3="$python" -o static wheel
     "$python" -m zipfile -l b/wheel/dist/*.whl | grep -q heatladder/bin/heatladder
 }

@@ -104,6 +104,7 @@ measured=('run rod-gauss so_ssph --dx 0.5' 'ladder rod-gauss ftcs --dx 2,1,0.5,0
     error=$(sed -n 's/^ *"error_l1": \(.*\),$/\1/p' run.json)
     grep -q ",$error," a/run.csv
     expect 2 'standard output takes one file' heatladder run rod-gauss so_ssph --dx 0.5 --csv - --json -
+    expect 2 'choose another name' heatladder verify --only 'symmetry/*' --page v.html --csv v.csv
 }
 
 @test "reference: points, times, threads" {

@@ -143,10 +143,21 @@ static int run_gates(const struct verify_options *r, struct gates *g, struct fai
     return gates_run_program(g, r->jobs ? r->jobs : 1, why);
 }
 
+/* The page has a file beside it. */
+static int check_places(const struct verify_options *r, struct failure *why) {
+    char data[1024] = "";
+    if (r->page_path) page_data_path(r->page_path, data, sizeof data);
+    if (r->csv_path && strcmp(r->csv_path, data) == 0)
+        return refuse(why, STATUS_INPUT, "--csv %.200s is the file of the ladders of --page; choose another name",
+                      data);
+    if (output_check(r->json_path, why) || output_check(r->junit_path, why)) return why->status;
+    if (output_check(r->csv_path, why)) return why->status;
+    return output_check(r->page_path, why);
+}
+
 static int verify(const struct verify_options *r, struct gate_file *file, struct gates *g, struct failure *why) {
     char origin[ORIGIN];
-    if (output_check(r->json_path, why) || output_check(r->junit_path, why)) return why->status;
-    if (output_check(r->csv_path, why) || output_check(r->page_path, why)) return why->status;
+    if (check_places(r, why)) return why->status;
     if (collect(r, file, g, origin, why)) return why->status;
     double start = omp_get_wtime();
     int status = output_noted() ? STATUS_OK : run_gates(r, g, why);
