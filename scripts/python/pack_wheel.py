@@ -1,5 +1,5 @@
-"""Packs the wheel (PEP 427, 517) with Python's standard library alone, so that `pip install scripts/python` needs no
-network.  It carries a program and a library, for one machine and any Python 3: the static ones that `make wheel` puts into
+"""Packs the wheel (PEP 427, 517) with Python's standard library alone: `pip install scripts/python` needs no network.
+The wheel carries a program and a library, for one machine and any Python 3: the static ones that `make wheel` puts into
 the package, else those of build/, which need this machine's GSL and FFTW."""
 import base64
 import hashlib
@@ -35,9 +35,13 @@ def _tag():
     return "py3-none-" + (f"manylinux_{libc}_{platform.machine()}" if PACKED else here)
 
 
+def _digest(data):
+    return base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+
+
 def _files():
     """Names in the wheel and their bytes."""
-    files = {f"heatladder/{f.name}": f.read_bytes() for f in sorted((HERE / "heatladder").glob("*.py*")) if f.is_file()}
+    files = {f"heatladder/{f.name}": f.read_bytes() for f in sorted((HERE / "heatladder").glob("*")) if f.is_file()}
     build = HERE / "heatladder" if PACKED else HERE.parents[1] / "build"
     if not PACKED:
         subprocess.run(["make", "-C", str(build.parent), "build/heatladder", "build/libheatladder.so"], check=True)
@@ -45,12 +49,12 @@ def _files():
     files["heatladder/lib/libheatladder.so"] = (build / ("lib" if PACKED else "") / "libheatladder.so").read_bytes()
     info = f"heatladder-{VERSION}.dist-info"
     files[f"{info}/METADATA"] = (METADATA + (HERE / "README.md").read_text(encoding="utf-8")).encode()
-    files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: heatladder\nRoot-Is-Purelib: false\nTag: {_tag()}\n".encode()
+    wheel = f"Wheel-Version: 1.0\nGenerator: heatladder\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
+    files[f"{info}/WHEEL"] = wheel.encode()
     files[f"{info}/entry_points.txt"] = b"[pytest11]\nheatladder = heatladder.pytest_plugin\n"
     record = f"{info}/RECORD"
-    digest = {name: base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode() for name, data in files.items()}
-    lines = [f"{name},sha256={digest[name]},{len(data)}\n" for name, data in files.items()] + [f"{record},,\n"]
-    return {**files, record: "".join(lines).encode()}
+    lines = [f"{name},sha256={_digest(data)},{len(data)}\n" for name, data in files.items()]
+    return {**files, record: "".join([*lines, f"{record},,\n"]).encode()}
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

@@ -104,7 +104,9 @@ class Row(pytest.Item):
         lines = [f"{self.gate['verdict']}: {self.gate['reason']}"]
         if self.gate.get("diagnosis"):
             lines.append(f"diagnosis: {self.gate['diagnosis']}")
-        return "\n".join(lines + [self.gate["why"], f"heatladder {self.gate['command']}"])
+        words = self.gate["command"].partition(" --solver ")[0]  # the program is a pipe to this process
+        return "\n".join(lines + [self.gate["why"], f"heatladder {words}",
+                                  f"pytest --heatladder {self.parent.target} -k {self.name}"])
 
     def reportinfo(self) -> Any:
         return self.path, None, f"heatladder: {self.name}"
