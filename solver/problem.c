@@ -56,6 +56,43 @@ void problem_wall_range(const struct problem *p, enum side s, const double *x, d
     }
 }
 
+/* A point of side s: the middle of it, or of a round wall the point on the x axis. */
+static void wall_middle(const struct problem *p, enum side s, double x[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) x[a] = p->shape ? 0 : (p->lo[a] + p->hi[a]) / 2;
+    x[s / 2] = p->shape ? p->radius[s % 2] : s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+}
+
+/* Times apart by the golden section, which no period divides. */
+double problem_wall_period(const struct problem *p) {
+    enum { TIMES = 200 };
+    static const double GOLDEN = 0.61803398874989485;
+    double period = INFINITY;
+    for (int s = 0; s < 2 * p->dim && p->wall_rate; s++) {
+        double x[DIM_MAX], lo = INFINITY, hi = -INFINITY, fastest = 0;
+        if (p->side[s] == PERIODIC || (p->shape && s > X_HI)) continue;
+        wall_middle(p, (enum side)s, x);
+        for (int k = 0; k < TIMES; k++) {
+            double t = p->t_end * fmod(GOLDEN * k, 1), value = p->wall(p, (enum side)s, x, t);
+            lo = fmin(lo, value), hi = fmax(hi, value);
+            fastest = fmax(fastest, fabs(p->wall_rate(p, (enum side)s, x, t)));
+        }
+        if (fastest > 0) period = fmin(period, M_PI * (hi - lo) / fastest);
+    }
+    return period;
+}
+
+/* A step continues the data by their rate.  With n steps a period they are then off by up to (2 pi/n)^2/2 amplitudes,
+ * a fifth for n = 10; with n below 6 by more than the amplitude, and the ghosts of a wall by more than its range. */
+const char *problem_wall_pace(const struct problem *p, double dt, char text[PACE_TEXT]) {
+    enum { STEPS = 10 };
+    double period = problem_wall_period(p);
+    *text = '\0';
+    if (dt > period / STEPS)
+        snprintf(text, PACE_TEXT, ": a wall changes with a period of %.3g s, %.2g steps; %d are needed (--dt %.2g)",
+                 period, period / dt, STEPS, period / STEPS);
+    return text;
+}
+
 static double later_wall(const struct problem *p, enum side s, const double *x, double t) {
     const struct later *l = p->data;
     return l->of->wall(l->of, s, x, l->time + t);

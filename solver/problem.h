@@ -114,6 +114,15 @@ void problem_later(const struct problem *p, double time, struct later *l);
 /* 1 if walls or source change in time. */
 int problem_changes(const struct problem *p);
 
+/* Period of the fastest wall that changes, s, as 2 pi (half its range)/(its largest rate); INFINITY if all are
+ * steady. */
+double problem_wall_period(const struct problem *p);
+
+enum { PACE_TEXT = 160 };
+/* For messages of runs that left the range of their data: how many steps of dt a period of the walls has, if they are
+ * too few, with the step that it needs; else "".  Returns text. */
+const char *problem_wall_pace(const struct problem *p, double dt, char text[PACE_TEXT]);
+
 /* Total source at x and time t, W m^-3; 0 if there is none. */
 double problem_source(const struct problem *p, const double *x, double t);
 

@@ -300,18 +300,17 @@ static int refuse_unstable(const struct ftcs_grid *g, long long step, struct fai
         if (is_outside) break;
     } while (ftcs_next(g, i));
     double x[DIM_MAX];
-    char place[120] = "";
+    char place[120] = "", pace[PACE_TEXT], limit[PACE_TEXT];
     ftcs_place(g, at, x);
     for (int a = 0; a < g->p->dim; a++) {
         size_t used = strlen(place);
         snprintf(place + used, sizeof place - used, "%s%c = %g m", a ? ", " : "", 'x' + a, x[a]);
     }
-    return refuse(
-        why, STATUS_UNSTABLE,
-        "%s: unstable at step %lld of %lld, t = %g s: T = %g K at %s; sum of kappa dt/dx^2 is %g, stable up "
-        "to %g%s",
-        g->method, step, g->steps, g->start + (double)step * g->dt, g->T[ftcs_at(g, at)], place, fourier(g),
-        fourier_most(g), g->p->k_law ? "; use a smaller --dt" : "");
+    snprintf(limit, sizeof limit, "; sum of kappa dt/dx^2 is %g, stable up to %g%s", fourier(g), fourier_most(g),
+             g->p->k_law ? "; use a smaller --dt" : "");
+    problem_wall_pace(g->p, g->dt, pace);
+    return refuse(why, STATUS_UNSTABLE, "%s: unstable at step %lld of %lld, t = %g s: T = %g K at %s%s", g->method,
+                  step, g->steps, g->start + (double)step * g->dt, g->T[ftcs_at(g, at)], place, *pace ? pace : limit);
 }
 
 int ftcs_run(struct ftcs_grid *g, struct failure *why) {

@@ -338,17 +338,19 @@ static void advance_step(struct run *r, int s) {
 /* Refuses a state outside the data by more than their range and the heat received; a NaN is outside. */
 static int check_range(const struct run *r, const double data[2], struct failure *why) {
     double lo, hi, heating, x[DIM_MAX];
+    char pace[PACE_TEXT];
     conduction_range(r->c, &lo, &hi, &heating);
     lo = fmin(lo, data[0]), hi = fmax(hi, data[1]);
     double slack = hi - lo + 2 * heating * r->p->t_end + 1e-6 * fmax(fabs(lo), fabs(hi));
     for (size_t i = 0; i < r->n; i++) {
         if (r->T[i] >= lo - slack && r->T[i] <= hi + slack) continue;
         layout_cloud_place(conduction_cloud(r->c), i, x);
+        problem_wall_pace(r->p, r->dt, pace);
         return refuse(
             why, STATUS_UNSTABLE,
             "unstable: at step %lld (t = %.6g s) particle %zu at (%.6g, %.6g) m has %.4g K, the data are in "
-            "[%.4g, %.4g] K; dt = %.6g s is too large for k(T)",
-            r->steps, r->t, i, x[0], x[1], r->T[i], lo, hi, r->dt);
+            "[%.4g, %.4g] K; dt = %.6g s%s",
+            r->steps, r->t, i, x[0], x[1], r->T[i], lo, hi, r->dt, *pace ? pace : " is too large for k(T)");
     }
     return STATUS_OK;
 }

@@ -174,7 +174,7 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
     size_t i = state_find_outside(a, state, m->lo - half, m->hi + half);
     if (i == a->n) return STATUS_OK;
     double dt = m->time / (double)m->steps, *T = xcalloc(a->n, sizeof *T), value;
-    char where[4 + PLACE_TEXT] = "", place[PLACE_TEXT];
+    char where[4 + PLACE_TEXT] = "", place[PLACE_TEXT], pace[PACE_TEXT] = "";
     state_store(a, state, T);
     value = T[i];
     free(T);
@@ -183,14 +183,16 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
         double x[DIM_MAX];
         snprintf(where, sizeof where, " at %s", problem_place(f->dim, field_place(f, i, x), place));
     }
-    const char *reason = stepper_of(m->stepper)->order == 0
-                             ? "a mode grows, or the spectrum is not near the real axis"
-                         : dt * m->bound <= 2 ? "dt is too large, or a mode grows at any step (see: heatladder limit)"
-                                              : "dt is too large";
+    if (m->changing) problem_wall_pace(m->changing, dt, pace);
+    const char *reason =
+        stepper_of(m->stepper)->order == 0 ? ": a mode grows, or the spectrum is not near the real axis"
+        : *pace                            ? pace
+        : dt * m->bound <= 2               ? ": dt is too large, or a mode grows at any step (see: heatladder limit)"
+                                           : ": dt is too large";
     return refuse(
         why, STATUS_UNSTABLE,
         "unstable: at step %lld of %lld (t = %.6g s) particle %zu%s has %.4g K, the data are in [%.4g, %.4g] K; "
-        "dt = %.6g s: %s",
+        "dt = %.6g s%s",
         step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt, reason);
 }
 

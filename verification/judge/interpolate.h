@@ -17,7 +17,7 @@ struct interpolate {
     double lo[DIM_MAX], side[DIM_MAX]; /* boxes of about two points each */
     size_t count[DIM_MAX];
     size_t *first, *point; /* owned: the points sorted by box */
-    size_t along[DIM_MAX]; /* of rows and columns: lines of points across each axis; 0: none */
+    size_t along[DIM_MAX]; /* number of lines of points across each axis; 0: no rows and columns */
     double *line[DIM_MAX]; /* owned: their coordinates, ascending */
     double *value;         /* owned: T, the index along the first axis fastest */
 };

@@ -190,12 +190,37 @@ static void rkl2_is_its_published_recurrence(void **state) {
     operator_free(&a);
 }
 
+/* A wall of 2.385e4 s^-1 has a period of 2.634e-4 s; steps of 1e-3 s have four of them, and leave the range.  Ten
+ * steps a period stay in it.  A run that is unstable for another reason says nothing of its walls. */
+static void a_wall_faster_than_the_steps_is_named(void **state) {
+    (void)state;
+    static const char *const names[] = {"so_ssph", "ftcs"};
+    for (int k = 0; k < 2; k++) {
+        struct problem p;
+        struct field f;
+        struct failure why;
+        struct options o = {.dx = 0.083, .stepper = STEPPER_EULER, .dt = 1e-3};
+        odd_find("rod-driven", &p);
+        p.param[4] = 2.385e4, p.t_end = 0.1;
+        assert_near(problem_wall_period(&p), 2 * M_PI / 2.385e4, 0.001 * 2 * M_PI / 2.385e4);
+        assert_int_equal(method_solve(method_find(names[k]), &p, &o, &f, &why), STATUS_UNSTABLE);
+        assert_has(why.text, "a wall changes with a period of 0.000263 s, 0.26 steps; 10 are needed (--dt 2.6e-05)");
+        o.dt = 2.5e-5;
+        if (method_solve(method_find(names[k]), &p, &o, &f, &why)) fail_msg("%s", why.text);
+        field_free(&f);
+        p.param[4] = 0.61, p.t_end = 50, o.dt = 0.5;
+        assert_int_equal(method_solve(method_find(names[k]), &p, &o, &f, &why), STATUS_UNSTABLE);
+        assert_null(strstr(why.text, "a wall changes"));
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cubic_heat_polynomials_are_exact),
         cmocka_unit_test(rows_of_a_cloud_equal_the_stencil),
         cmocka_unit_test(quartic_data_leave_polynomials_without_time_error),
         cmocka_unit_test(rkl2_is_its_published_recurrence),
+        cmocka_unit_test(a_wall_faster_than_the_steps_is_named),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("data that change", tests, NULL, NULL);
