@@ -3,6 +3,7 @@
 #include "verification/judge/run.h"
 #include "verification/solve/program.h"
 
+#include "references/mapping.h"
 #include "references/scene.h"
 #include "solver/particles/particles.h"
 #include "solver/time/stepper.h"
@@ -127,13 +128,20 @@ int run_experiment(const struct experiment *e, struct result *out, struct field 
     return status;
 }
 
+/* The temperatures of the case, scale |T| + |offset| on average, over those of the scene in the same scale. */
+static double magnified(const struct mapping *m, const struct field *f) {
+    double size = 0;
+    for (size_t i = 0; i < f->n; i++) size += mapping_scale(m) * fabs(f->T[i]) / (double)f->n;
+    return size > 0 ? 1 + fabs(m->offset) / size : 1;
+}
+
 int run_program(struct experiment *e, struct field *f, struct time_step *step, struct failure *why) {
     double weights = time_step_weights(e);
     *step = (struct time_step){.time_error = NAN};
     int status = program_solve(&e->program, e->scene, &e->problem, &e->options, f, why);
     if (status) return status;
     double steps = fmin((double)f->steps * (f->stages > 0 ? f->stages : 1), weights * weights);
-    step->rounding = DBL_EPSILON * (1 + sqrt(steps) + weights);
+    step->rounding = DBL_EPSILON * (1 + sqrt(steps) + weights) * magnified(&e->program.map, f);
     return STATUS_OK;
 }
 

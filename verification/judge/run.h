@@ -15,7 +15,8 @@ struct result run_blank(const struct experiment *e);
 int run_experiment(const struct experiment *e, struct result *out, struct field *field);
 
 /* Solves by e->program, which chooses its own time step.  Its reported number of steps counts for
- * rounding up to the square of time_step_weights, more than an explicit scheme needs. */
+ * rounding up to the square of time_step_weights, more than an explicit scheme needs.  It rounds temperatures of the
+ * case: an offset (mapping.h) raises the rounding in terms of E1. */
 int run_program(struct experiment *e, struct field *f, struct time_step *step, struct failure *why);
 
 /* The same, with the error relative to `reference` (on the same points) instead of the exact solution; its own

@@ -54,6 +54,24 @@ static void an_exact_code_passes(void **state) {
         }
 }
 
+/* T of 2 K above an offset of 1e6 K rounds to eps 1e6/4 on average, 3e-11 of it; a scale rounds like T. */
+static void an_exact_code_in_other_temperatures_passes(void **state) {
+    (void)state;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    for (int scaled = 0; scaled < 2; scaled++) {
+        char line[200];
+        snprintf(line, sizeof line,
+                 "ladder rod-cosine mine --dx 1/20,1/40,1/60,1/80 --expect 1.9,2.1 --ceiling 1e-10 %s",
+                 scaled ? "--scale 1e-6" : "--offset 1e6");
+        ladder(line, "exact 1e-15", l);
+        if (l->verdict != VERDICT_PASS) fail_msg("%s", l->reason);
+        assert_has(l->reason, "4 of 4 rungs are at round-off");
+        ladder(line, "second 1e-2", l); /* far above rounding: its order counts */
+        assert_int_equal(l->slope.n, 4);
+    }
+    free(l);
+}
+
 /* As a typed ladder: passes below a ceiling, fails above it, and is inconclusive without one. */
 static void rung_at_round_off_passes_its_ceiling(void **state) {
     (void)state;
@@ -162,6 +180,7 @@ int main(int argc, char **argv) {
     if (argc == 6 && strcmp(argv[1], "--made") == 0) return made_main(argv, (int)getpid());
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_exact_code_passes),
+        cmocka_unit_test(an_exact_code_in_other_temperatures_passes),
         cmocka_unit_test(rung_at_round_off_passes_its_ceiling),
         cmocka_unit_test(the_number_of_missing_rungs_is_stated),
         cmocka_unit_test(draws_are_pooled),
