@@ -59,7 +59,7 @@ C_FILES := $(filter-out verification/examples/%,$(wildcard $(foreach d,solver re
   $(foreach e,[ch] inc,$(d)/*.$(e) $(d)/*/*.$(e)))))
 TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verification/unit/test_*.c))
 
-.PHONY: FORCE action all bench check claims clean coverage dist examples faults figures format front fuzz gallery \
+.PHONY: FORCE action all bench check claims clean codes coverage dist examples faults figures format front fuzz gallery \
   help install league lint mutants nightly operators race report sanitize setup setup-peers stability static \
   test uninstall verify walls wheel
 
@@ -234,7 +234,7 @@ clean: ## Remove everything that was built
 CVODE = $(wildcard /usr/include/cvode/cvode.h /usr/local/include/cvode/cvode.h)
 VORO  = $(wildcard /usr/include/voro++/voro++.hh /usr/local/include/voro++/voro++.hh)
 EXAMPLES = $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90) $(if $(CVODE),cvode))
-PEERS    = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_step) $(if $(VORO),voro_cells))
+TIMED    = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_step) $(if $(VORO),voro_cells))
 # Flags for the programs of others alone; they favour them in the comparison.
 FAST    := -O3 -march=native -ffast-math -fopenmp-simd
 sundials = $(patsubst %,-lsundials_%,$(1))
@@ -329,6 +329,8 @@ gallery: report stability operators walls front ## Copy the figures that the REA
 	$(Q)scripts/record $(BUILD)/heatladder reports/gallery/session.svg
 	$(Q)if [ -f $(OUT)/league/league.svg ]; then cp $(OUT)/league/league.svg reports/gallery/; \
 	else echo "gallery: no chart of other codes here (make league draws it); the old one stays"; fi
+	$(Q)if [ -f $(OUT)/codes.svg ]; then cp $(OUT)/codes.svg reports/gallery/; \
+	else echo "gallery: no picture of other codes here (make codes draws it); the old one stays"; fi
 
 claims: $(BUILD)/heatladder ## Measure the statements of papers; the ledger goes to reports/out/claims
 	@mkdir -p $(OUT)/claims
@@ -349,12 +351,18 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, every s
 	scripts/plot $(BENCH) reports/bench/error_time.gp; \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
-setup-peers: ## Install the other codes that league runs, where the system has packages of them
-	$(Q)scripts/setup-peers
+# PEERS='getdp scipy': keys of scripts/peers.txt, for both; without it, all.
+setup-peers: ## Install public codes from Debian's packages: those of PEERS, or all
+	$(Q)scripts/setup-peers $(PEERS)
 
-league: all ## Run other codes (make setup-peers): the battery, and error against time beside ours
+codes: all ## Judge the public codes that are installed (PEERS, or all) and write reports/out/codes.html
+	@mkdir -p $(OUT)
+	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES)
+	$(Q)scripts/codes $(BUILD)/heatladder $(BUILD) $(OUT) $(PEERS)
+
+league: all ## Time public codes (make setup-peers): error against seconds, beside ours
 	@mkdir -p $(OUT)/league
-	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES) $(PEERS)
+	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES) $(TIMED)
 	$(Q)scripts/league $(BUILD)/heatladder $(BUILD) $(OUT)/league
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(OUT)/league/league*.csv; do \
 	scripts/plot $(OUT)/league reports/bench/league.gp $$data; done; \

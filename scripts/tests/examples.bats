@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# The programs of verification/examples hold rows of the battery; `make league` runs all rows.
+# The programs of verification/examples hold rows of the battery; `make codes` runs all rows.
 load common
 
 judge() { # command, words of verify
@@ -46,4 +46,10 @@ cells='smooth/gauss,contact/rod,plane/source'
 @test "cvode.c" {
     [ -x "$examples/cvode" ] || skip "SUNDIALS is not here (make setup-peers)"
     judge "$examples/cvode" --only 'smooth/gauss,contact/rod,walls/cooled,plane/source,driven/rod,nonlinear/*'
+}
+
+@test "make codes and setup-peers refuse a code that scripts/peers.txt does not have" {
+    needs python3
+    expect 1 'cubes: not in scripts/peers.txt, which has c fortran' python3 "$tree/scripts/codes" "$program" build out cubes
+    expect 2 "'cubes' is none of: awk c" "$tree/scripts/setup-peers" cubes
 }
