@@ -171,10 +171,11 @@ static void flux(const struct columns_row *row, double *value) {
     int material = of->materials == 2 && at[0] >= of->interface; /* the gradient is that of the same material */
     int along = mapping_axis(m, row->axis);
     double into = mapping_scale(m) * (m->against[row->axis] ? -1 : 1);
-    *value = row->exact.no_value
-                 ? NAN
-                 : -into * kirchhoff_along(of, &of->material[material], along, row->exact.temperature) *
-                       row->exact.gradient[along];
+    double sum =
+        kirchhoff_along(of, &of->material[material], along, row->exact.temperature) * row->exact.gradient[along];
+    for (int a = 0; a < of->dim; a++)
+        if (a != along) sum += of->cross[problem_pair(a, along)] * row->exact.gradient[a];
+    *value = row->exact.no_value ? NAN : -into * sum;
 }
 
 static void initial(const struct columns_row *row, double *value) {
@@ -202,6 +203,10 @@ static void source(const struct columns_row *row, double *value) {
 
 static void conductivity(const struct columns_row *row, double *value) {
     *value = row->p->material[material_at(row)].k[row->axis];
+}
+
+static void cross(const struct columns_row *row, double *value) {
+    *value = row->p->cross[row->axis];
 }
 
 static void rho_c(const struct columns_row *row, double *value) {
@@ -270,6 +275,9 @@ static const struct columns_kind kinds[] = {
     {"k_x", "k_x", 0, 0, 0, conductivity, 0, 1, NULL, NULL},
     {"k_y", "k_y", 0, 0, 2, conductivity, 1, 1, NULL, NULL},
     {"k_z", "k_z", 0, 0, 3, conductivity, 2, 1, NULL, NULL},
+    {"k_xy", "k_xy", 0, 0, 2, cross, 0, 1, NULL, NULL},
+    {"k_xz", "k_xz", 0, 0, 3, cross, 1, 1, NULL, NULL},
+    {"k_yz", "k_yz", 0, 0, 3, cross, 2, 1, NULL, NULL},
     {"rho_c", "rho_c", 0, 0, 0, rho_c, 0, 1, NULL, NULL},
     {"flux_x", "flux_x", 1, 0, 0, flux, 0, 1, NULL, NULL},
     {"flux_y", "flux_y", 1, 0, 2, flux, 1, 1, NULL, NULL},

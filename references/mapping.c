@@ -153,6 +153,10 @@ static void image_axis(struct image *image, int a) {
     of->kinked[a] = p->kinked[from];
     of->kink[a] = against ? 0 - p->kink[from] : p->kink[from];
     for (int i = 0; i < p->materials; i++) of->material[i].k[a] = p->material[i].k[from];
+    for (int b = 0; b < a; b++) {
+        double k = p->cross[problem_pair(mapping_axis(&image->map, b), from)];
+        of->cross[problem_pair(b, a)] = against != image->map.against[b] ? 0 - k : k;
+    }
     for (int s = 2 * a; s < 2 * a + 2 && !p->shape; s++) { /* the walls of a round body do not depend on the axes */
         of->side[s] = p->side[mapping_side(&image->map, (enum side)s)];
         of->robin[s] = p->robin[mapping_side(&image->map, (enum side)s)];

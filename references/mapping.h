@@ -11,9 +11,10 @@
  *     each axis of the case is an axis of the scene, in the same or the opposite direction;
  *     T_case = scale T + offset,  scale > 0
  *
- * Each k follows its axis. rho_c and Robin's b do not change.  Fluxes and sources are multiplied by scale; wall and
- * air temperatures are mapped like T.  Solvers, references and norms use the scene.  The case file, the points of
- * the oracle and the output of external programs use the axes and the temperature of the case. */
+ * Each k follows its axis, k_xy both of its axes.  rho_c and Robin's b do not change.  Fluxes and sources are
+ * multiplied by scale; wall and air temperatures are mapped like T.  Solvers, references and norms use the scene.
+ * The case file, the points of the oracle and the output of external programs use the axes and the temperature of
+ * the case. */
 
 /* All zero: the identity.  Otherwise a signed permutation of the axes: 2 of a rod, 8 of a rectangle, 48 of a box. */
 struct mapping {

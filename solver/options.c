@@ -23,6 +23,7 @@ const char *const sampling_words[] = {
 const char *const walls_words[] = {
     [WALLS_MIRROR] = "mirror", [WALLS_FIXED] = "fixed", [WALLS_DISTANCE] = "distance",   [WALLS_AVERAGE] = "average",
     [WALLS_IMAGE] = "image",   [WALLS_FIT] = "fit",     [WALLS_ONE_SIDED] = "one_sided", NULL};
+const char *const cross_words[] = {[CROSS_FACE] = "face", [CROSS_CORNER] = "corner", NULL};
 const char *const mean_words[] = {
     [MEAN_AUTO] = "auto",     [MEAN_HARMONIC] = "harmonic",   [MEAN_ARITHMETIC] = "arithmetic",
     [MEAN_SERIES] = "series", [MEAN_KIRCHHOFF] = "kirchhoff", NULL};

@@ -24,13 +24,15 @@ enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
 enum walls { WALLS_MIRROR, WALLS_FIXED, WALLS_DISTANCE, WALLS_AVERAGE, WALLS_IMAGE, WALLS_FIT, WALLS_ONE_SIDED };
 /* MEAN_AUTO: harmonic between two materials, kirchhoff where k depends on T. */
 enum mean { MEAN_AUTO, MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES, MEAN_KIRCHHOFF };
+/* Fluxes of a tensor that is not diagonal: through faces, or from gradients at the corners of cells. */
+enum cross { CROSS_FACE, CROSS_CORNER };
 enum domain { DOMAIN_SYMMETRY, DOMAIN_WHOLE };
 enum volume { VOLUME_MOMENT, VOLUME_RAW, VOLUME_TUNED };
 
 /* Names on the command line, indexed by the enums, ended by NULL. */
 extern const char *const kernel_words[], *const stepper_words[];
 extern const char *const layout_words[], *const sampling_words[], *const walls_words[], *const domain_words[];
-extern const char *const mean_words[], *const volume_words[];
+extern const char *const mean_words[], *const cross_words[], *const volume_words[];
 
 struct field;
 
@@ -55,6 +57,7 @@ struct options {
     enum sampling sampling;
     enum walls walls;
     enum mean mean;
+    enum cross cross;
     enum volume volume;
     enum domain domain; /* for scenes with mirror planes: compute only the necessary part, or all */
     /* borrowed: solution of the same problem and options with another time step, whose relaxed particles are reused;

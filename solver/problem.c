@@ -31,6 +31,10 @@ const char *problem_nonlinearity(const struct problem *p) {
     return NULL;
 }
 
+int problem_has_cross(const struct problem *p) {
+    return p->cross[0] != 0 || p->cross[1] != 0 || p->cross[2] != 0;
+}
+
 double problem_diffusivity(const struct problem *p) {
     double kappa = 0;
     for (int m = 0; m < p->materials; m++)

@@ -2,10 +2,10 @@
 #ifndef HEATLADDER_SOLVER_PROBLEM_H
 #define HEATLADDER_SOLVER_PROBLEM_H
 
-/* The problem:  rho_c dT/dt = sum over axes a of d/dx_a(k_a dT/dx_a) + G on a rod [lo[0], hi[0]], a rectangle, a box
- * or another shape.  Data only; SI units.  Coefficients are steady.  The walls are steady except for `wall_rate`, and
- * the source except for `source_rate`: without them dT/dt = A T + g with constant A and g.  A point x has `dim`
- * coordinates. */
+/* The problem:  rho_c dT/dt = div(K grad T) + G on a rod [lo[0], hi[0]], a rectangle, a box or another shape, K a
+ * symmetric tensor, most often diagonal.  Data only; SI units.  Coefficients are steady.  The walls are steady except
+ * for `wall_rate`, and the source except for `source_rate`: without them dT/dt = A T + g with constant A and g.  A
+ * point x has `dim` coordinates. */
 
 enum { DIM_MAX = 3, SIDES = 2 * DIM_MAX };
 enum side { X_LO, X_HI, Y_LO, Y_HI, Z_LO, Z_HI };
@@ -33,6 +33,7 @@ struct problem {
     int materials;    /* material[0] is at x < interface, material[1] at x >= interface */
     double interface; /* m */
     struct material material[MATERIAL_MAX];
+    double cross[DIM_MAX]; /* W m^-1 K^-1: k_xy, k_xz, k_yz of one material; 0: a diagonal tensor */
     enum k_law k_law;
     int k_frozen;                   /* 1: k of the initial temperature at all times, a fault of a code; ftcs only */
     double k_0;                     /* W m^-1 K^-1; times K^-k_n of a power law */
@@ -90,6 +91,14 @@ double problem_transfer(const struct problem *p, int side);
 
 /* NULL if the equation and the walls are linear in T; else what is not, for messages. */
 const char *problem_nonlinearity(const struct problem *p);
+
+/* Index in `cross` of the axes a and b. */
+static inline int problem_pair(int a, int b) {
+    return a + b - 1;
+}
+
+/* 1 if K is not diagonal. */
+int problem_has_cross(const struct problem *p);
 
 /* Largest diffusivity over all materials and axes, m^2 s^-1. */
 double problem_diffusivity(const struct problem *p);

@@ -6,7 +6,8 @@
  * A rod, a rectangle, a box, a disc, a ring and a ball are grids of the same kind (ftcs.h): cells in rows along three
  * axes, faces between each cell and the next one along an axis (ftcs_grid.c, ftcs_round.c).  One function has the
  * conductance of a face (ftcs_face.c), another the ghost beyond a wall (ftcs_walls.c), and one sweep adds them all up
- * (ftcs_step.c).  A contact resistance is a further term of a conductance, a cross term a further flux of a face.
+ * (ftcs_step.c).  A contact resistance is a further term of a conductance, a tensor a further flux of a face
+ * (ftcs_cross.c).
  *
  * With C_f of one material in a box this is
  *
@@ -108,7 +109,7 @@ static int solve(const struct method *m, const struct problem *p, const struct o
 const struct method method_ftcs = {
     .name = "ftcs",
     .about = "finite differences, (T[i+1] - 2 T[i] + T[i-1])/dx^2: Song eq. 5, Pamplona eq. 16",
-    .accepts = "stepper layout sampling walls mean",
+    .accepts = "stepper layout sampling walls mean cross",
     .solve = solve,
 };
 

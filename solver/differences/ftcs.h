@@ -46,6 +46,8 @@ struct ftcs_grid {
     double *C[DIM_MAX];             /* W K^-1, by face */
     double *weight;                 /* K J^-1, by cell: 1/(rho_c V) */
     ptrdiff_t along[DIM_MAX], base; /* offsets in C and weight, as stride and corner; 0 where they do not vary */
+    double *cross;                  /* K s^-1, by cell without ghosts: fluxes of a tensor (ftcs_cross.c); else NULL */
+    double *corner_flux[DIM_MAX];   /* K m s^-1, by corner; NULL: fluxes at faces */
     double *law;                    /* k(T): theta, W m^-1, or with other means than kirchhoff k, W m^-1 K^-1 */
 
     double rho_c;       /* J m^-3 K^-1; the smaller of two materials */
@@ -87,6 +89,9 @@ int ftcs_face_parts(const struct problem *p, double d, double x, double share[2]
 double ftcs_face_law(const struct problem *p, double T);
 double ftcs_face_wall(const struct ftcs_grid *g, enum side s, double T, double k, double value, double half);
 void ftcs_face_refresh(struct ftcs_grid *g, const double *T);
+
+/* ftcs_cross.c: the fluxes of a tensor from the state T with its ghosts, into g->cross. */
+void ftcs_cross(const struct ftcs_grid *g, double *T);
 
 /* ftcs_walls.c: the ghosts of a side (all but its data), their data at time t, the ghosts of T. */
 void ftcs_wall_make(struct ftcs_grid *g, enum side s);

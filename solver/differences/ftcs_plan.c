@@ -31,6 +31,7 @@ static int check_options(const char *method, int with_fluxes, const struct probl
               periodic = !round && p->side[X_LO] == PERIODIC;
     const int staged = !round && (o->stepper == STEPPER_RK2 || o->stepper == STEPPER_RKL2);
     const int steps = matched || staged || o->stepper == STEPPER_AUTO || o->stepper == STEPPER_EULER;
+    const int tensor = problem_has_cross(p);
     int robin = 0;
     for (int s = 0; s < 2 * p->dim && !round; s++) robin |= p->side[s] == ROBIN;
     const struct {
@@ -61,6 +62,11 @@ static int check_options(const char *method, int with_fluxes, const struct probl
         {law && o->mean == MEAN_SERIES, "mean", "series",
          "is for two materials; use harmonic, arithmetic or kirchhoff"},
         {!law && o->mean == MEAN_KIRCHHOFF, "mean", "kirchhoff", "is for k(T); use harmonic, arithmetic or series"},
+        {tensor && (with_fluxes || round || two || law || p->source || p->source_at), NULL, NULL,
+         "takes k_xy with one material in a box, without a source; use ftcs, so_ssph"},
+        {tensor && !periodic, NULL, NULL, "takes k_xy without walls"},
+        {tensor && matched, "stepper", stepper, "k_xy has an error of its own, which no step cancels; use euler"},
+        {!tensor && o->cross, "cross", cross_words[o->cross], "k_xy is 0 in this scene; omit it"},
         {robin && node, "layout", layout, "a Robin wall is midway between a point and its ghost; use lattice"},
         {robin && matched, "stepper", stepper, "the ghosts of a Robin wall are of second order; use euler"},
         {periodic && node, "layout", layout, "the scene is periodic and has no walls; use lattice"},

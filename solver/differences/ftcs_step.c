@@ -33,7 +33,7 @@ enum { CHECK_EVERY = 32, TERMS = 4, LEGENDRE_MOST = 1000001 /* stages, whose rou
 struct sweep {
     const struct ftcs_grid *g;
     double h;
-    const double *of;
+    const double *of, *heating;
     int terms; /* 0; 1, of weight 1; or TERMS */
     double weight[TERMS];
     const double *state[TERMS];
@@ -80,8 +80,9 @@ INLINE const double *row_base(const struct sweep *w, ptrdiff_t at, ptrdiff_t n, 
     return row;
 }
 
-/* F of an axis: h kappa/d^2 */
+/* F of an axis: h kappa/d^2; 0 where fluxes at corners have all of it. */
 INLINE double factor(const struct sweep *w, int a) {
+    if (w->g->cross && w->g->o->cross == CROSS_CORNER) return 0;
     const double d = w->g->reach * w->g->d[a];
     return w->g->kappa[a] * w->h / (d * d);
 }
@@ -101,7 +102,7 @@ INLINE void sweep_rows(const struct sweep *w, int axes) {
             const ptrdiff_t face = g->base + j * g->along[1] + k * g->along[2];
             const double *T = w->of + at, *base = row_base(w, at, n, g->row);
             double *out = w->out + at;
-            const double *heating = g->heating ? g->heating + (k * rows + j) * n : NULL;
+            const double *heating = w->heating ? w->heating + (k * rows + j) * n : NULL;
             if (axes) {
                 row_uniform(axes, n, F, s, w->h, heating, base, T, out);
                 continue;
@@ -196,6 +197,7 @@ static double fourier(const struct ftcs_grid *g) {
     const struct problem *p = g->p;
     double rate = 0, most = 0;
     for (int a = 0; a < (g->round ? 1 : p->dim); a++) rate += (p->k_law ? 1 : g->kappa[a]) / (g->d[a] * g->d[a]);
+    if (g->cross && p->dim == 3) rate *= 9. / 8; /* ftcs_cross.c */
     for (int i = 0; p->k_frozen && i < (int)g->size; i++) most = fmax(most, g->law[i]);
     if (p->k_law) rate *= p->k_frozen ? most / g->rho_c : law_diffusivity(g);
     for (int i = 0; p->materials == 2 && i < g->n[0]; i++) {
@@ -219,7 +221,8 @@ static void advance(struct sweep *w, struct ftcs_grid *g, double *T, double t) {
     if (g->changes) ftcs_set_time(g, t);
     if (g->law && !g->p->k_frozen) ftcs_face_refresh(g, T);
     ftcs_wall_ghosts(g, T);
-    w->g = g, w->of = g->law && !g->C[0] ? g->law : T;
+    if (g->cross) ftcs_cross(g, T);
+    w->g = g, w->heating = g->cross ? g->cross : g->heating, w->of = g->law && !g->C[0] ? g->law : T;
     sweeps[g->width](w);
     g->applications++;
 }

@@ -92,8 +92,9 @@ int particles_check(const struct problem *p, const struct options *o, const stru
     const int mirror = o->walls == WALLS_MIRROR, matched = options_is_matched(o);
     const enum side_kind kind = kind_without_dummies(p, o->walls);
     const struct material *unequal = anisotropic(p);
+    const int tensor = problem_has_cross(p);
     /* every row is the stencil of a square lattice */
-    const int uniform = periodic && o->layout == LAYOUT_LATTICE && !two && !unequal && !p->source;
+    const int uniform = periodic && o->layout == LAYOUT_LATTICE && !two && !unequal && !tensor && !p->source;
     const struct material *m = unequal ? unequal : &p->material[0];
     const int space = p->dim == 3;
     char axes[120], wall[60], midway[80], varies[100], steppers[2][STEPPER_LIST];
@@ -112,6 +113,9 @@ int particles_check(const struct problem *p, const struct options *o, const stru
         {o->volume == VOLUME_TUNED && s->volume && !s->tuned, VOLUME, "supported by brookshaw only", "moment or raw"},
         {two && !s->two_materials, METHOD, "one material only, the scene has two", "brookshaw or contact_ssph"},
         {s->isotropic && unequal, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
+        {tensor && !s->tensor, METHOD, "a diagonal conductivity only, the scene has k_xy", "so_ssph or ftcs"},
+        {tensor && law, METHOD, "a tensor that depends on temperature is not supported", "k_xy = 0"},
+        {tensor && !periodic, METHOD, "with k_xy the mirror image of T beyond a wall is no solution", "ftcs"},
         {two && o->sampling == SAMPLING_SPLINE, SAMPLING, "four cells of two materials have no common average",
          "point or cell"},
         {problem_changes(p) && !law && (cut || two), METHOD,

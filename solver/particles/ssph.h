@@ -23,6 +23,11 @@ static inline int ssph_second(int dim, int axis) {
     return dim + axis * (axis + 3) / 2;
 }
 
+/* The mixed one of the axes a < b. */
+static inline int ssph_mixed(int dim, int a, int b) {
+    return ssph_second(dim, b) - (b - a);
+}
+
 /* First derivatives from the expansion to order 1, in factors (struct scheme): F_j = W_j and C = (sum_j W_j d_j
  * d_j^T)^-1, m^-2. */
 int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, double *F, double C[DIM_MAX][DIM_MAX],

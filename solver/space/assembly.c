@@ -104,7 +104,10 @@ int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundin
                                      .h = m->h,
                                      .volume = m->volume,
                                      .rho_c = rho_c_of(m, i)};
-    for (int a = 0; a < DIM_MAX; a++) out->nb.kappa[a] = material->k[a] / material->rho_c;
+    for (int a = 0; a < DIM_MAX; a++) {
+        out->nb.kappa[a] = material->k[a] / material->rho_c;
+        out->nb.cross[a] = p->cross[a] / material->rho_c;
+    }
     if (m->s->cells) {
         for (size_t k = 0; k < n; k++) out->X[k] = c->x[out->near[k]];
         out->nb.volume = m->mesh.volume[i], out->nb.face = m->mesh.face + m->mesh.begin[i], out->nb.X = out->X;

@@ -26,6 +26,7 @@ struct neighbourhood { /* one particle and its neighbours, input of a scheme */
     double volume;         /* m^dim, of the particle, from the scheme's `volume` */
     double rho_c;          /* J m^-3 K^-1, of its cell */
     double kappa[DIM_MAX]; /* m^2 s^-1, at the particle, along each axis */
+    double cross[DIM_MAX]; /* m^2 s^-1: kappa_xy, kappa_xz, kappa_yz; 0 for schemes of a diagonal tensor */
     /* for schemes with cells on clouds; else NULL: */
     const double *face; /* m^(dim-1), between the particle's cell and each neighbour's, in the metric of voronoi.h */
     const double *X;    /* m, x coordinate of each neighbour, the same bits in every neighbourhood */
@@ -45,6 +46,7 @@ struct wall_row {             /* dT_i/dt = sum_j w[j] T_j + own T_i + g */
 struct scheme {                   /* neighbour weights of a particle method; the options are complete */
     const char *name;             /* name of the method, for messages */
     int two_materials, isotropic; /* 1: supports two materials; requires k_x = k_y */
+    int tensor;                   /* 1: supports k_xy, k_xz and k_yz */
     int tuned;                    /* 1: supports --volume tuned */
     /* 1: dT_i/dt = sum_j w[0][j] (T_j - T_i). 2: w[a] are the weights of the first derivatives, a < dim, which are
      * applied twice: dT/dt = sum_a d/dx_a(kappa_a dT/dx_a). */

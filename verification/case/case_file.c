@@ -27,6 +27,8 @@ const char case_file_help[] =
     "  materials, interface     1; or 2, the second at x >= interface, m\n"
     "  interface_axis           y or z if the second is at y or z >= interface; not written for x\n"
     "  k_x, k_y, k_z, rho_c     W/(m K), J/(m^3 K): of each material\n"
+    "  k_xy, k_xz, k_yz         W/(m K), only of a tensor that is not diagonal: heat flows by -K grad T.  A program\n"
+    "                           for diagonal ones ends with exit status 77\n"
     "  k_law                    only if k depends on T, with u = T - k_ref: linear, k = k_0 (1 + k_beta u); power,\n"
     "                           k = k_0 u^k_n, 0 for u <= 0.  k_x is then the largest k of the solution\n"
     "  k_0, k_beta, k_ref, k_n  W/(m K) (power: times K^-k_n), 1/K, K, 1: of that law\n"
@@ -70,7 +72,7 @@ static void write_params(const struct scene *s, const struct problem *p, const c
 }
 
 static void write_materials(const struct image *image, FILE *out) {
-    static const char *const axis[] = {"k_x", "k_y", "k_z"};
+    static const char *const axis[] = {"k_x", "k_y", "k_z"}, *const pair[] = {"k_xy", "k_xz", "k_yz"};
     const struct problem *p = &image->problem;
     double value[MATERIAL_MAX];
     fprintf(out, "materials = %d\n", p->materials);
@@ -81,6 +83,7 @@ static void write_materials(const struct image *image, FILE *out) {
         for (int m = 0; m < p->materials; m++) value[m] = p->material[m].k[a];
         write_list(out, axis[a], value, p->materials);
     }
+    for (int k = 0; k < (p->dim == 3 ? 3 : 1) && problem_has_cross(p); k++) write_list(out, pair[k], &p->cross[k], 1);
     for (int m = 0; m < p->materials; m++) value[m] = p->material[m].rho_c;
     write_list(out, "rho_c", value, p->materials);
     if (p->k_law == K_LINEAR)

@@ -20,8 +20,8 @@
 /* ---- Syntax ---- */
 
 #define MODEL                                                                                                        \
-    " stepper kernel h order layout jitter sweeps seed sampling shift origin angle walls mean volume xi domain "     \
-    "threads t-end set"
+    " stepper kernel h order layout jitter sweeps seed sampling shift origin angle walls mean cross volume xi "      \
+    "domain threads t-end set"
 #define PROGRAM " solver results keep timeout columns aspect map scale offset"
 const struct command_syntax command_syntaxes[] = {
     [COMMAND_RUN] = {"run", "SCENE METHOD", "dx", "dx dt fourier memory quantity" MODEL PROGRAM, NULL},

@@ -45,7 +45,7 @@ class Reference:
 
 
 case = read_case(sys.argv[1])
-if "shape" in case or "k_law" in case:
+if {"shape", "k_law"} & case.keys():
     sys.exit(77)  # a round body, which cells do not fill; k(T)
 dim, t_end = int(case["dim"]), float(case["t_end"])
 lo, hi = numbers(case["lo"]), numbers(case["hi"])
@@ -61,6 +61,12 @@ stride = [math.prod(m + 2 for m in n[:d]) for d in range(dim)]  # from a point t
 
 def on_side(e, d):
     return not lo[d] < points[e][d] < hi[d]
+
+
+def beyond(c, d, way):
+    """The next point along an axis; where periodic sides meet, the cell at the opposite one."""
+    e = c + way * stride[d]
+    return e - way * n[d] * stride[d] if on_side(e, d) and wall[e][d][0] == PERIODIC else e
 
 
 cells = [c for c in range(len(points)) if not any(on_side(c, d) for d in range(dim))]
@@ -81,9 +87,7 @@ beside = []  # the cell at each point of the frame that has one: (point, axis, c
 fastest = 0
 for c in cells:
     for d in range(dim):
-        for e in (c - stride[d], c + stride[d]):
-            if on_side(e, d) and wall[e][d][0] == PERIODIC:  # the body goes on at the opposite side
-                e += n[d] * stride[d] if e < c else -n[d] * stride[d]
+        for e in (beyond(c, d, -1), beyond(c, d, 1)):
             kind, value, b = wall[e][d]
             resistance = width[d] / (2 * k[c][d])
             if on_side(e, d):
@@ -97,6 +101,14 @@ for c in cells:
             faces[c].append((e, 1 / (resistance * width[d])))
     fastest = max(fastest, sum(k[c][d] / (width[d] ** 2 * rho_c[c]) for d in range(dim)))
 
+# A tensor: K_ab times the derivative along b is a flux across a, the mean over the two cells of a face.
+cross = reference.ask("0", ",".join(["k_xy", "k_xz", "k_yz"][:2 * dim - 3])) if "k_xy" in case else []
+for c in cells if cross else []:
+    for (a, b), way in itertools.product(itertools.permutations(range(dim), 2), (-1, 1)):
+        e = beyond(c, a, way)
+        K = (cross[c][a + b - 1] + cross[e][a + b - 1]) / 2
+        for x, side in itertools.product((c, e), (-1, 1)):
+            faces[c].append((beyond(x, b, side), way * side * K / (4 * width[a] * width[b])))
 
 
 def set_walls(values):

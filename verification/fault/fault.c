@@ -82,6 +82,11 @@ static const struct fault_places
                                   "were that of side y_hi",
                                   "had harmonic or geometric means, which let no heat into a cell with k = 0"},
             "were that of another temperature"},
+    crosses = {2 + DIM_MAX,
+               (const char *const[]){"k_xy were taken for 0", "k_xy had the wrong sign",
+                                     "k_xy, of three, were taken for 0", "k_xz, of three, were taken for 0",
+                                     "k_yz, of three, were taken for 0"},
+               "k_xy were another"},
     materials = {MATERIAL_MAX, (const char *const[]){"first", "second"}, "a"};
 
 /* An axis: one, both of a plane or all of a box. */
@@ -131,6 +136,10 @@ static int differ_in_other(const struct problem *p, int at) {
 static int equal_in_pair(const struct problem *p, int at) {
     int a = first_of(at), b = second_of(at);
     return has_pair(p, at) && p->lo[a] == p->lo[b] && p->hi[a] == p->hi[b];
+}
+
+static int has_cross(const struct problem *p, int at) {
+    return at < 2 ? problem_has_cross(p) : p->dim == 3 && p->cross[at - 2] != 0;
 }
 
 static int has_source(const struct problem *p, int at) {
@@ -295,7 +304,7 @@ static int is_periodic(const struct problem *p, int axis) {
 static int are_periodic(const struct problem *p, int at) {
     for (int a = 0; a < p->dim; a++)
         if (includes(at, a) && !is_periodic(p, a)) return 0;
-    return is_axis(p, at);
+    return is_axis(p, at) && !problem_has_cross(p); /* response.c has no steps of a tensor */
 }
 
 /* Whether the walls across an axis, or the initial data, are not even about its middle. */
@@ -334,11 +343,17 @@ static void conductivity(struct faulty *f) {
     struct problem *q = &f->problem;
     for (int m = 0; m < q->materials; m++)
         for (int a = 0; a < q->dim; a++) q->material[m].k[a] *= 1 + f->size;
+    for (int k = 0; k < DIM_MAX; k++) q->cross[k] *= 1 + f->size;
     q->k_0 *= 1 + f->size;
 }
 
 static void axis(struct faulty *f) {
     for (int m = 0; m < f->problem.materials; m++) f->problem.material[m].k[f->fault.at] *= 1 + f->size;
+}
+
+static void cross(struct faulty *f) {
+    for (int k = 0; k < DIM_MAX; k++)
+        if (f->fault.at < 2 || f->fault.at - 2 == k) f->problem.cross[k] *= f->fault.at == 1 ? -1 : 0;
 }
 
 static void swap(struct faulty *f) {
@@ -359,6 +374,7 @@ static void transposed(struct faulty *f) {
     f->from[one] = two, f->from[two] = one;
     for (int a = 0; a < p->dim; a++) {
         q->material[0].k[a] = p->material[0].k[f->from[a]];
+        for (int b = 0; b < a; b++) q->cross[problem_pair(b, a)] = p->cross[problem_pair(f->from[b], f->from[a])];
         q->jumps[a] = p->jumps[f->from[a]];
         memcpy(q->jump[a], p->jump[f->from[a]], sizeof q->jump[a]);
     }
@@ -444,6 +460,8 @@ static void stretch(struct faulty *f, int a) {
     double s = 1 + 2 * f->size / (q->hi[a] - q->lo[a]);
     f->stretch[a] = s;
     for (int m = 0; m < q->materials; m++) q->material[m].k[a] /= s * s;
+    for (int b = 0; b < DIM_MAX; b++)
+        if (b != a) q->cross[problem_pair(a, b)] /= s;
     q->k_0 /= s * s;
     for (int hi = 0; hi < 2; hi++) q->robin[2 * a + hi] /= s;
     for (int k = 0; k < q->jumps[a]; k++) q->jump[a][k] = f->centre[a] + (q->jump[a][k] - f->centre[a]) / s;

@@ -33,6 +33,11 @@ static int has_law(const struct problem *p, double aspect) {
     return p->k_law != K_CONSTANT;
 }
 
+static int has_cross(const struct problem *p, double aspect) {
+    (void)aspect;
+    return problem_has_cross(p);
+}
+
 static int has_two(const struct problem *p, double aspect) {
     (void)aspect;
     return p->materials == 2;
@@ -89,7 +94,8 @@ static const struct {
                 {is_steady, "with steady data", "have steady data"},
                 {has_robin, "", "have a Robin wall"},
                 {has_source, "", "have a source"},
-                {is_oblong, "", "have cells of two widths"}};
+                {is_oblong, "", "have cells of two widths"},
+                {has_cross, "", "have k_xy"}};
 enum { FEATURES = sizeof features / sizeof *features };
 
 struct row {

@@ -72,6 +72,9 @@ double ceiling_front(const struct experiment *e, double width); /* heat of the t
 /* front with x0 >= L: the flux that a mean of k(T) misses, in units of the wave. */
 double ceiling_wave(const struct experiment *e, double units);
 
+/* wave: sum w (q.x)^4/24, times kappa and t, of the decayed wave; of any tensor. */
+double ceiling_tensor(const struct experiment *e);
+
 /* The exact solution compared with the exact solution for a parameter larger by `by`, or for a time shorter by the
  * fraction `part`. */
 double ceiling_changed(const struct experiment *e, const char *name, double by);

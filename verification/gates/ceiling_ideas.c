@@ -26,6 +26,24 @@ double ceiling_param(const struct experiment *e, const char *name) {
     return i < 0 ? NAN : e->problem.param[i];
 }
 
+/* ---- One wave ---- */
+
+/* The symbol is -q.K q + kappa_x dx^2 sum w (q.x)^4/24, x in dx, and the mean of |cos| is 2/pi. */
+double ceiling_tensor(const struct experiment *e) {
+    static const char *const modes[] = {"mode_x", "mode_y", "mode_z"};
+    const struct problem *p = &e->problem;
+    const double kappa = p->material[0].k[0] / p->material[0].rho_c;
+    struct ceiling_weights w = ceiling_weights(e);
+    double q[DIM_MAX] = {0}, rate = 0;
+    for (int a = 0; a < p->dim; a++) q[a] = 2 * M_PI * ceiling_param(e, modes[a]) / (p->hi[a] - p->lo[a]);
+    for (int a = 0; a < p->dim; a++)
+        for (int b = 0; b < p->dim; b++)
+            rate +=
+                q[a] * q[b] * (a == b ? p->material[0].k[a] : p->cross[problem_pair(a, b)]) / p->material[0].rho_c;
+    double off = kappa * sq(e->options.dx) * ceiling_weights_along(&w, q, 4) / 24;
+    return 2 / M_PI * fabs(off) * p->t_end * exp(-rate * p->t_end) * ceiling_param(e, "A") / ceiling_param(e, "Tm");
+}
+
 /* ---- Two exact solutions ---- */
 
 /* The mean of |T of *q - T of *p| at their end times, divided by the mean of |T of *p|, at points of *p's box. */

@@ -119,6 +119,36 @@ static void least_squares(struct ceiling_weights *s) {
     gsl_vector_free(z);
 }
 
+/* The tensor: 2 K_ab d2/dx_a dx_b.  Least squares of the second order: x_a x_b W, of another parity than all other
+ * monomials.  Fluxes at faces: half of K_ab at the four cells of a diagonal.  Fluxes at corners: along each axis (1,
+ * -2, 1), averaged along the others with (1, 2, 1)/4. */
+static void add_cross(struct ceiling_weights *s) {
+    const struct ceiling_weights W = *s;
+    const int squares = s->family == LEAST_SQUARES;
+    if (s->corner) memset(s->w, 0, sizeof s->w);
+    for (int a = 0; a < s->dim; a++)
+        for (int b = 0; b < s->dim; b++) {
+            const double K = a == b ? s->ratio[a] : s->cross[problem_pair(a, b)];
+            double kernel = 0;
+            OFFSETS(s->dim, s->reach, i, j, k) {
+                const int x[DIM_MAX] = {i, j, k}, product = x[a] * x[b];
+                const double r = sqrt(i * i + j * j + k * k);
+                if (squares) kernel += ceiling_weights_radial(&W, r) * product * product;
+            }
+            OFFSETS(s->dim, s->reach, i, j, k) {
+                const int x[DIM_MAX] = {i, j, k}, far = abs(i) > 1 || abs(j) > 1 || abs(k) > 1;
+                double w = 1;
+                for (int c = 0; c < s->dim; c++) {
+                    double slope = x[c] / 2., bend = x[c] ? 1 : -2, mean = x[c] ? 0.25 : 0.5;
+                    int own = c == a || c == b;
+                    w *= own ? (a == b ? bend : slope) : s->corner ? mean : x[c] == 0;
+                }
+                if (squares) w = ceiling_weights_radial(&W, sqrt(i * i + j * j + k * k)) * x[a] * x[b] / kernel;
+                if ((a != b || s->corner) && (squares || !far)) AT(s, i, j, k) += K * w;
+            }
+        }
+}
+
 /* The derivative along x, sum w x = 1, applied twice, and its images along the other axes times their ratios. */
 static void apply_twice(struct ceiling_weights *s) {
     struct ceiling_weights D = *s, one = {.dim = s->dim};
@@ -215,5 +245,8 @@ struct ceiling_weights ceiling_weights(const struct experiment *e) {
     if (o->h_iso) s.h = isotropic_h(s);
     if (strcmp(e->method->name, "brookshaw") == 0) s.eta = 0.1 * s.h;
     fill(&s);
+    s.corner = o->cross == CROSS_CORNER;
+    for (int k = 0; k < DIM_MAX; k++) s.cross[k] = p->cross[k] / p->material[0].k[0];
+    if (problem_has_cross(p)) add_cross(&s);
     return s;
 }

@@ -25,6 +25,8 @@ struct ceiling_weights {
     int dim, order;
     double h;                                           /* h/dx; 0 for finite differences */
     double ratio[DIM_MAX];                              /* kappa of each axis over kappa_x */
+    double cross[DIM_MAX];                              /* kappa_xy, kappa_xz, kappa_yz over kappa_x */
+    int corner;                                         /* 1: finite differences with gradients at corners */
     double eta;                                         /* eta in -W' r/(r^2 + eta^2), in units of dx */
     int reach;                                          /* weights beyond it are 0 */
     double w[CEILING_WIDE][CEILING_WIDE][CEILING_WIDE]; /* [z][y][x], offset + CEILING_REACH */

@@ -38,6 +38,7 @@ static void options_json(const struct result *r, struct json *j) {
     json_text(j, "sampling", result_accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
     json_text(j, "walls", result_accepts(r, "walls") ? walls_words[o->walls] : NULL);
     json_text(j, "mean", result_accepts(r, "mean") ? mean_words[o->mean] : NULL);
+    json_text(j, "cross", result_accepts(r, "cross") ? cross_words[o->cross] : NULL);
     json_text(j, "domain", domain_words[o->domain]);
     json_text(j, "volume", result_accepts(r, "volume") ? volume_words[o->volume] : NULL);
 }

@@ -18,6 +18,7 @@ static const struct row {
     {"rod-contact contact_ssph --dx 0.1 --sampling spline", "--sampling spline: four cells of two materials"},
     {"rect-manufactured so_ssph --dx 0.1 --set rise=2 --shift 0.3",
      "so_ssph: walls or a source that change in time need one material"},
+    {"wave fo_ssph --dx 0.1 --set kappa_xy=0.004", "fo_ssph: a diagonal conductivity only, the scene has k_xy"},
     /* layouts */
     {"wave so_ssph --dx 0.1 --layout node", "--layout node: the scene has no walls; use lattice"},
     {"rod-cooling so_ssph --dx 0.03 --layout node", "--layout node: a Robin wall is midway"},
@@ -55,6 +56,8 @@ static const struct row {
     {"rod-contact ftcs --dx 0.1 --sampling spline", "--sampling spline: takes one material; use point or cell"},
     {"rod-contact ftcs --dx 0.1 --layout node", "--layout node: takes one material; use lattice"},
     {"rod-contact ftcs --dx 0.1 --stepper matched", "--stepper matched: takes one material; use euler"},
+    {"wave ftcs_flux --dx 0.1 --set kappa_xy=0.004", "takes k_xy with one material in a box, without a source"},
+    {"wave ftcs --dx 0.1 --cross corner", "--cross corner: k_xy is 0 in this scene; omit it"},
     {"rod-cooling ftcs --dx 0.03 --layout node", "--layout node: a Robin wall is midway"},
     {"rod-cooling ftcs --dx 0.03 --stepper matched", "--stepper matched: the ghosts of a Robin wall"},
     {"wave ftcs --dx 0.1 --layout node", "--layout node: the scene is periodic and has no walls; use lattice"},

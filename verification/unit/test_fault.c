@@ -165,6 +165,7 @@ static void faults_apply_to_existing_parts_only(void **state) {
         {"square-step", {FAULT_CORNER, 0}, 0}, /* Dirichlet value 0 */
         {"plate", {FAULT_CLOCK, 1}, 0},
         {"wave", {FAULT_NOT_PERIODIC, 1}, 1},
+        {"wave", {FAULT_CROSS, 0}, 0}, /* a diagonal tensor */
         {"plate", {FAULT_TWICE, 0}, 0},
         {"wave", {FAULT_INSULATED, 0}, 0},
         {"plate-cooling", {FAULT_AIR_SIGN, 0}, 1},

@@ -514,6 +514,92 @@ static void two_equal_materials_are_one(void **state) {
     }
 }
 
+/* ---- A tensor ---- */
+
+static double oblique(const struct problem *p, const double *x) {
+    double phase = 0.3;
+    for (int a = 0; a < p->dim; a++) phase += p->param[MODE + a] * PI * (x[a] - p->lo[a]) / (p->hi[a] - p->lo[a]);
+    return p->param[LEVEL] + p->param[AMPLITUDE] * cos(phase);
+}
+
+static double oblique_decayed(const struct problem *p, const double *x, double t) {
+    (void)t;
+    return p->param[LEVEL] + p->param[RATE] * (oblique(p, x) - p->param[LEVEL]);
+}
+
+/* Rate of the wave of half a phase h between cells, times dx^2/4 (the head of ftcs_cross.c). */
+static double tensor_rate(const struct problem *p, enum cross cross, const double h[DIM_MAX]) {
+    double sum = 0;
+    for (int a = 0; a < p->dim; a++)
+        for (int b = 0; b < p->dim; b++) {
+            double K = a == b ? p->material[0].k[a] : p->cross[problem_pair(a, b)], w = K * sin(h[a]) * sin(h[b]);
+            for (int c = 0; c < p->dim && cross == CROSS_CORNER; c++) w *= pow(cos(h[c]), (c != a) + (c != b));
+            if (cross == CROSS_FACE && a != b) w *= cos(h[a]) * cos(h[b]);
+            sum += w;
+        }
+    return sum;
+}
+
+static struct problem tensor_body(int dim) {
+    struct problem p = body(dim);
+    set_sides(&p, PERIODIC);
+    p.initial = oblique;
+    p.cross[0] = 0.21, p.param[0] = 6, p.param[2] = 2;
+    if (dim == 3) p.cross[1] = -0.09, p.cross[2] = 0.13;
+    return p;
+}
+
+/* Every wave, in a fixed order of signs. */
+static double sign_of_place(const struct problem *p, const double *x) {
+    double place = 0;
+    for (int a = 0; a < p->dim; a++) place += nearbyint((x[a] - p->lo[a]) / 0.046 - 0.5) * (17 + 31 * a * a);
+    return sin(place * place) > 0 ? 1 : -1;
+}
+
+/* Waves are multiplied by the amplification factor of the stepper at each step. */
+static void waves_of_a_tensor_are_amplified_by_each_step(void **state) {
+    (void)state;
+    static const enum stepper_name steppers[] = {STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2};
+    static const double dt[] = {0.00061, 0.00061, 0.0061};
+    enum { STEPS = 31 };
+    for (int turn = 0; turn < 3 * 2 * 2; turn++) {
+        const int k = turn % 3;
+        struct problem p = tensor_body(turn / 3 % 2 + 2);
+        struct options o = {.dx = 0.046, .dt = dt[k], .stepper = steppers[k], .cross = (enum cross)(turn / 6)};
+        p.t_end = STEPS * o.dt;
+        struct field f = solved(&method_ftcs, &p, &o);
+        double h[DIM_MAX] = {0};
+        for (int a = 0; a < p.dim; a++) h[a] = p.param[MODE + a] * PI * o.dx / (p.hi[a] - p.lo[a]) / 2;
+        const double complex z = -o.dt * 4 / (o.dx * o.dx) * tensor_rate(&p, o.cross, h) / p.material[0].rho_c;
+        p.param[RATE] = pow(creal(stepper_of(o.stepper)->amplification(f.stages, z)), STEPS);
+        assert_near(farthest(&p, &f, oblique_decayed), 0, 1e-12);
+        field_free(&f);
+    }
+}
+
+/* k b b^T along a diagonal has the smallest steps: 1/4, with fluxes at corners 1/2, of dx^2/kappa in the plane, 4/27
+ * and 3/8 in space.  To these the lattice has waves within 2 % of the worst one. */
+static void steps_of_a_tensor_have_their_limit(void **state) {
+    (void)state;
+    static const double limit[2][2] = {{1. / 4, 1. / 2}, {4. / 27, 3. / 8}};
+    for (int turn = 0; turn < 4; turn++) {
+        struct problem p = tensor_body(turn / 2 + 2);
+        struct options o = {.dx = 0.046, .cross = (enum cross)(turn % 2)};
+        struct failure why = {0};
+        struct field f;
+        for (int a = 0; a < p.dim; a++) p.material[0].k[a] = 0.4;
+        for (int k = 0; k < (p.dim == 3 ? 3 : 1); k++) p.cross[k] = 0.4;
+        p.initial = sign_of_place;
+        o.fourier = 0.99 * limit[turn / 2][turn % 2];
+        p.t_end = 900 * o.fourier * 0.046 * 0.046 * 2.385 / 0.4;
+        f = solved(&method_ftcs, &p, &o);
+        for (size_t i = 0; i < f.n; i++) assert_order(fabs(f.T[i]), <, 4);
+        field_free(&f);
+        o.fourier *= 1.04 / 0.99, p.t_end *= 1.04 / 0.99;
+        assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_UNSTABLE);
+    }
+}
+
 /* ---- Steps and limits ---- */
 
 static double jumps(const struct problem *p, const double *x) {
@@ -665,6 +751,8 @@ static void refusals_state_the_reason(void **state) {
     refused(&method_ftcs, &rod, &chebyshev, STATUS_NOT_APPLICABLE, "finite differences have euler, rk2, rkl2");
     two.materials = 2, two.material[1] = two.material[0], two.interface = 0.3;
     refused(&method_ftcs_flux, &two, &plain, STATUS_NOT_APPLICABLE, "takes one material, the scene has two");
+    two = plane, two.cross[0] = 0.1;
+    refused(&method_ftcs, &two, &plain, STATUS_NOT_APPLICABLE, "takes k_xy without walls");
     rod.wall_rate = hot_rate;
     refused(&method_ftcs, &rod, &matched, STATUS_NOT_APPLICABLE, "are derived for steady walls");
     shape_make_ball(&ball, 0.46);
@@ -687,6 +775,8 @@ int main(void) {
         cmocka_unit_test(rod_repeated_across_is_the_rod),
         cmocka_unit_test(two_materials_conduct_in_parallel_across),
         cmocka_unit_test(two_equal_materials_are_one),
+        cmocka_unit_test(waves_of_a_tensor_are_amplified_by_each_step),
+        cmocka_unit_test(steps_of_a_tensor_have_their_limit),
         cmocka_unit_test(steps_up_to_the_limit_are_stable),
         cmocka_unit_test(hot_wall_is_no_instability),
         cmocka_unit_test(steady_walls_are_read_once),

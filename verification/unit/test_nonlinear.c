@@ -58,6 +58,7 @@ static void constant_law_is_the_linear_problem(void **state) {
             odd_find(bodies[b], &p);
             double dx = (p.hi[0] - p.lo[0]) / 24, kappa = p.material[0].k[0] / p.material[0].rho_c;
             for (int a = 1; a < p.dim; a++) p.material[0].k[a] = p.material[0].k[0];
+            p.cross[0] = 0;
             p.t_end = 20 * 0.2 * dx * dx / kappa;
             q = p;
             q.k_law = K_LINEAR, q.k_0 = p.material[0].k[0], q.k_ref = 0.7;

@@ -72,6 +72,19 @@ static double curvature(const struct scene *s, const struct problem *p, const do
     return sum / (d * d);
 }
 
+/* d2T/dx_a dx_b */
+static double twist(const struct scene *s, const struct problem *p, const double *x, double t, int a, int b,
+                    double d) {
+    double sum = 0;
+    for (int i = -4; i <= 4; i++)
+        for (int j = -4; j <= 4; j++) {
+            double there[DIM_MAX] = {x[0], x[1], x[2]}, w = first_difference[abs(i)] * first_difference[abs(j)];
+            there[a] += i * d, there[b] += j * d;
+            if (w != 0) sum += (i * j < 0 ? -w : w) * at(s, p, there, t);
+        }
+    return sum / (d * d);
+}
+
 static double rate(const struct scene *s, const struct problem *p, const double *x, double t) {
     double d = 0.01 * t, sum = 0;
     for (int i = 1; i <= 4; i++) sum += first_difference[i] * (at(s, p, x, t + i * d) - at(s, p, x, t - i * d));
@@ -97,6 +110,8 @@ static void residual_of_the_equation_vanishes(void **state) {
                 double term = (p.k_law ? 1 : m->k[d]) * curvature(s, &p, x, t, d, odd->step);
                 flow += term;
                 part = fmax(part, fabs(term));
+                for (int b = 0; b < d && problem_has_cross(&p); b++)
+                    flow += 2 * p.cross[problem_pair(b, d)] * twist(s, &p, x, t, b, d, odd->step);
             }
             flow += problem_source(&p, x, t);
             worst = fmax(worst, fabs(storage - flow));
