@@ -108,10 +108,7 @@ static int collect(const struct verify_options *r, struct gate_file *file, struc
 }
 
 static int write_page(const struct gates *g, const struct verify_options *r, struct failure *why) {
-    const char *solver = g->program ? g->program->solver : NULL;
-    char title[200] = "heatladder verify";
-    if (solver)
-        snprintf(title, sizeof title, "heatladder verify: %.120s%s", solver, g->interrupted ? " (interrupted)" : "");
+    const char *title = g->interrupted ? "heatladder verify (interrupted)" : "heatladder verify";
     return page_gates_write(g, title, r->command.typed, r->page_path, why);
 }
 

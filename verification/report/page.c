@@ -117,17 +117,24 @@ static void put_verdict(const struct gates *g, FILE *out) {
     const char *word = g->interrupted && !t.failed ? "inconclusive" : tally_word(t);
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, word);
-    fprintf(out, ": %d of %d gates hold", t.passed, t.judged);
-    if (g->interrupted) fprintf(out, "; interrupted, %d were due", g->planned);
+    if (g->interrupted)
+        fprintf(out, ": interrupted: %d of %d gates were judged, %d hold", t.judged, g->planned, t.passed);
+    else
+        fprintf(out, ": %d of %d gates hold", t.passed, t.judged);
     if (t.skipped) fprintf(out, ", %d skipped", t.skipped);
     fprintf(out, "</p>\n");
     put_diagnosis(g->diagnosis, "verdict", out);
 }
 
 static void put_program(const struct program *p, FILE *out) {
-    if (p && p->solver) html_print(out, "<p>Program: <code>%s</code></p>\n", p->solver);
-    if (p && p->results)
-        html_print(out, "<p>Program: the one that wrote the results in <code>%s</code></p>\n", p->results);
+    if (!p) return;
+    if (p->solver)
+        html_print(out, "<p>The program <code>%s</code>", p->solver);
+    else
+        html_print(out, "<p>The program that wrote the results in <code>%s</code>", p->results);
+    fprintf(out,
+            " ran on successively finer grids against exact solutions.  Each gate judges an order of convergence "
+            "or the size of an error.</p>\n");
 }
 
 void page_data_path(const char *path, char *data, size_t size) {

@@ -11,8 +11,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The plot within a panel, in units of the SVG; text is 12 high. */
-enum { WIDE = 340, HIGH = 240, LEFT = 66, RIGHT = 14, TOP = 26, BOTTOM = 40, POINTS_MOST = 4000 };
+/* The plot within a panel, in units of the SVG; text is 13 high. */
+enum { WIDE = 340, HIGH = 240, LEFT = 66, RIGHT = 14, TOP = 26, BOTTOM = 40, POINTS_MOST = 4000, CROWD = 100 };
 
 struct axis {
     double lo, hi; /* the data, or their logarithms to base 10 */
@@ -53,7 +53,7 @@ static double y_of(const struct axis *a, double value) {
 
 static void open_panel(FILE *out, const char *title) {
     html_print(out,
-               "<svg class=\"panel\" viewBox=\"0 0 340 240\" width=\"340\" role=\"img\" font-size=\"12\" "
+               "<svg class=\"panel\" viewBox=\"0 0 340 240\" width=\"340\" role=\"img\" font-size=\"13\" "
                "fill=\"currentColor\">\n<title>%s</title>\n<text x=\"66\" y=\"16\">%s</text>\n",
                title, title);
 }
@@ -88,7 +88,7 @@ void picture_ladder(FILE *out, const struct rungs *l, const struct gate *gate) {
     if (isfinite(gate->ceiling)) widen(&y, gate->ceiling);
     if (!(y.hi >= y.lo)) return;
     relax_ends(&x), relax_ends(&y);
-    open_panel(out, "The ladder");
+    open_panel(out, banded ? "The ladder, and the band of its slope" : "The ladder");
     if (banded) /* between the slopes lo and hi from the coarsest rung */
         fprintf(out, "<polygon points=\"%.1f,%.1f %.1f,%.1f %.1f,%.1f\" fill=\"#0072b2\" fill-opacity=\"0.2\"/>\n",
                 x_of(&x, l->x[0]), y_of(&y, l->error[0]), x_of(&x, l->x[finest]), y_of(&y, due[0]),
@@ -112,13 +112,14 @@ void picture_ladder(FILE *out, const struct rungs *l, const struct gate *gate) {
 /* The points that are drawn: all of a rod or a plane, in space those of the layer nearest the middle; evenly thinned.
  */
 static size_t choose(const struct field *f, size_t *chosen) {
-    double x[DIM_MAX], lo = DBL_MAX, hi = -DBL_MAX, nearest = DBL_MAX;
+    double x[DIM_MAX], lo = DBL_MAX, hi = -DBL_MAX, layer = DBL_MAX;
     size_t n = 0;
     for (size_t i = 0; i < f->n; i++) lo = fmin(lo, field_place(f, i, x)[2]), hi = fmax(hi, x[2]);
-    for (size_t i = 0; i < f->n; i++) nearest = fmin(nearest, fabs(field_place(f, i, x)[2] - (lo + hi) / 2));
+    double middle = (lo + hi) / 2;
     for (size_t i = 0; i < f->n; i++)
-        if (f->dim < 3 || fabs(field_place(f, i, x)[2] - (lo + hi) / 2) <= nearest + 1e-9 * (hi - lo))
-            chosen[n++] = i;
+        if (fabs(field_place(f, i, x)[2] - middle) < fabs(layer - middle)) layer = x[2];
+    for (size_t i = 0; i < f->n; i++)
+        if (f->dim < 3 || fabs(field_place(f, i, x)[2] - layer) <= 1e-9 * (hi - lo)) chosen[n++] = i;
     size_t every = 1 + n / POINTS_MOST, kept = 0;
     for (size_t k = 0; k < n; k += every) chosen[kept++] = chosen[k];
     return kept;
@@ -139,13 +140,14 @@ static void put_profile(FILE *out, const struct field *f, const double *exact, c
     if (!(y.hi >= y.lo)) return;
     relax_ends(&x), relax_ends(&y);
     open_panel(out, apart ? "T less exact" : "T (dots), exact (crosses)");
+    double r = n > CROWD ? 1.2 : 2.5;
     for (size_t k = 0; k < n; k++) {
         double here = x_of(&x, f->x[0][at[k]]), value = apart ? difference(f, exact, at[k]) : f->T[at[k]];
         if (isfinite(value))
-            fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\" fill=\"#d55e00\"/>", here, y_of(&y, value));
+            fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%g\" fill=\"#d55e00\"/>", here, y_of(&y, value), r);
         if (!apart && isfinite(exact[at[k]]))
-            fprintf(out, "<path d=\"M%.1f %.1fl6 6m0 -6l-6 6\" stroke=\"#0072b2\"/>", here - 3,
-                    y_of(&y, exact[at[k]]) - 3);
+            fprintf(out, "<path d=\"M%.1f %.1fl%g %gm0 %gl%g %g\" stroke=\"#0072b2\"/>", here - r,
+                    y_of(&y, exact[at[k]]) - r, 2 * r, 2 * r, -2 * r, -2 * r, 2 * r);
     }
     put_frame(out, &x, &y, "x [m]", apart ? "T - exact [K]" : "T [K]");
     fprintf(out, "</svg>\n");
@@ -166,7 +168,7 @@ static void put_colour(FILE *out, double share, int diverging) {
 static void put_map(FILE *out, const struct field *f, const double *value, const size_t *at, size_t n, int diverging,
                     const char *title, const double range[2]) {
     struct axis x = axis_none(0), y = axis_none(0);
-    char label[120];
+    char label[120], below[60] = "x [m]";
     double largest = fmax(fabs(range[0]), fabs(range[1])), lo = diverging ? -largest : range[0];
     double hi = diverging ? largest : range[1], place[DIM_MAX];
     for (size_t k = 0; k < n; k++) field_place(f, at[k], place), widen(&x, place[0]), widen(&y, place[1]);
@@ -184,7 +186,8 @@ static void put_map(FILE *out, const struct field *f, const double *value, const
         put_colour(out, hi > lo ? (value[at[k]] - lo) / (hi - lo) : 0.5, diverging);
         fprintf(out, "\"/>");
     }
-    put_frame(out, &x, &y, "x [m]", "y [m]");
+    if (f->dim == 3) snprintf(below, sizeof below, "x [m], at z = %.3g m", place[2]);
+    put_frame(out, &x, &y, below, "y [m]");
     fprintf(out, "</svg>\n");
 }
 

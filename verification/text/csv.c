@@ -37,7 +37,7 @@ void csv_cell(struct csv *c, const char *name, const char *text) {
     if (column == c->columns) column = add_column(c, name);
     if (column < 0) return;
     char **cell = &c->cell[c->rows - 1][column];
-    free(*cell); /* of a member that is written twice the last counts, as in JSON */
+    free(*cell); /* the last counts where a member is written twice, as in JSON */
     *cell = copy(text);
     c->last = column;
 }

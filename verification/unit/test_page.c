@@ -168,7 +168,7 @@ static struct gate_result failed_ladder(void) {
 
 static void failures_have_cause_and_command(void **state) {
     (void)state;
-    static const char *const due[] = {"<p>Program: <code>mine {case} &lt;{out}&gt;</code></p>",
+    static const char *const due[] = {"<p>The program <code>mine {case} &lt;{out}&gt;</code> ran",
                                       "<p>too &lt;low&gt;</p>",
                                       "Diagnosis: 1 step late.</p>",
                                       "<p class=\"verdict\">Diagnosis: perhaps 1 step late (1 of 1).</p>",
@@ -260,7 +260,7 @@ static void pictures_have_one_mark_a_point(void **state) {
         struct field f = {0};
         double exact[18];
         field_alloc(&f, dim, 18);
-        for (size_t i = 0; i < 18; i++) { /* 3 x 3 x 2 points; both layers are as near the middle */
+        for (size_t i = 0; i < 18; i++) { /* 3 x 3 x 2 points; both layers are as near the middle, one is drawn */
             const double x[DIM_MAX] = {(double)(i % 3), (double)(i / 3 % 3) + (dim < 3 ? 0.1 * (double)i : 0),
                                        i < 9 ? 0 : 1.5};
             field_put(&f, i, x);
@@ -272,8 +272,9 @@ static void pictures_have_one_mark_a_point(void **state) {
         picture_field(out, &f, exact);
         fclose(out);
         assert_int_equal(times("<svg"), dim == 1 ? 2 : 3);
-        assert_int_equal(dim == 1 ? times("<circle") + times("<path") : times("fill=\"#"),
-                         dim == 1 ? 50 : 3 * 18 - 4);
+        assert_int_equal(dim == 1 ? times("<circle") + times("<path") : times("fill=\"#"), dim == 1   ? 50
+                                                                                           : dim == 2 ? 3 * 18 - 4
+                                                                                                      : 3 * 9 - 4);
         assert_lacks(text, "nan");
         field_free(&f);
     }
