@@ -20,9 +20,11 @@
  * tenth of the finest error.  This is a linear least-squares fit of C x^p/E + F/E = 1 for each p of the band.  It
  * uses the finest rungs that span a factor of 4 (at least four), since coarser ones have higher-order terms.
  * Scattered errors use all rungs, and a floor counts if it is significant: an F-test at 1 % of its reduction of the
- * sum of squares.  Four rungs cannot show that errors scatter (slope_roughness): a floor that is not significant at
- * 0.3 % leaves them inconclusive.  At 2 % of scatter 4 to 8 rungs of second order then fail in fewer than 1 of 1,000
- * draws (unit/test_judge_scatter.c).  If the band contains an order of 0, a floor is expected.
+ * sum of squares.  Four rungs cannot show that errors scatter (slope_roughness), and more of them not always: a floor
+ * that is not significant at 0.3 % leaves them inconclusive.  The fitted floor is positive in at most half of the
+ * ladders without one, so that at most 0.15 % of these fail, below 1 in 500; at 1 % up to 0.5 % do.  Counted at 2 %
+ * of scatter: 1 in 1,700 of 4 to 8 rungs, and at 1 % 1 in 450 (unit/test_judge_scatter.c).  If the band contains an
+ * order of 0, a floor is expected.
  *
  * A ladder that did not pass may show no order without being wrong:
  *
