@@ -26,8 +26,8 @@ struct ladder_options {
     const char *json_path, *csv_path;
 };
 
-static void print_text(const struct ladder *l, const struct diagnosis *d) {
-    char what[240];
+static void print_text(const struct ladder *l, const struct problem *p, const struct diagnosis *d) {
+    char what[480];
     struct table t = ladder_table(l, 1);
     const char *verdict = verdict_words[l->verdict];
     result_describe(&l->rung[l->n - 1], what, sizeof what);
@@ -46,6 +46,8 @@ static void print_text(const struct ladder *l, const struct diagnosis *d) {
     table_end(&t, stdout);
     ladder_slope_text(l, what, sizeof what);
     printf("\n%s\n", what);
+    ladder_places_text(l, p, what, sizeof what);
+    if (*what) printf("%s\n", what);
     printf("%s%s%s: %s (%.2g s)\n", verdict_colour(stdout, verdict), verdict, verdict_colour_end(stdout, verdict),
            l->reason, l->seconds);
     int inside = l->asked.expect.count &&
@@ -212,7 +214,7 @@ static int act(const void *options, struct failure *why) {
     int has_rungs = l->n > 0 && l->rung[l->n - 1].method; /* else the ladder itself was refused */
     for (int i = 0; has_rungs && i < l->n; i++) result_warn(&l->rung[i]);
     if (!status_refused(status) || (l->external && has_rungs)) {
-        print_text(l, &d);
+        print_text(l, &r->command.experiment.problem, &d);
         if (l->external) why->text[0] = '\0'; /* the table already shows it */
         status = write_files(r, l, &d, status, why);
     }

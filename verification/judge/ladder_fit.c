@@ -92,6 +92,77 @@ void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
                  l->slope.ci[1], l->slope.n, l->n);
 }
 
+/* ---- Planes of jumps in cells ---- */
+
+struct plane {
+    int axis;
+    double at; /* m */
+    const char *what;
+};
+
+enum { PLANES = DIM_MAX * JUMP_MAX + 1 };
+
+/* Sorted by axis, one at each place. */
+static int find_planes(const struct problem *p, struct plane plane[PLANES]) {
+    int n = 0;
+    for (int a = 0; a < p->dim && !p->shape; a++)
+        for (int j = 0; j < p->jumps[a]; j++) plane[n++] = (struct plane){a, p->jump[a][j], "jump"};
+    if (p->materials == 2 && !p->jumps[0]) plane[n++] = (struct plane){0, p->interface, "interface"};
+    return n;
+}
+
+/* Distance of the plane to the nearest face, in cells: 0 to 1/2; errors of both sides are nearly the same. */
+static double off_face(const struct problem *p, const struct plane *plane, double dx) {
+    int a = plane->axis;
+    double extent = p->hi[a] - p->lo[a], cells = fmax(1, nearbyint(extent / dx));
+    return fabs(remainder((plane->at - p->lo[a]) / extent * cells, 1));
+}
+
+static const double SAME_PLACE = 0.01; /* cells */
+
+/* The spacing nearest to dx, below `most`, that divides the domain along x with all planes on faces; 0: none up to
+ * twice finer. */
+static double on_faces(const struct problem *p, const struct plane *plane, int planes, double dx, double most) {
+    double extent = p->hi[0] - p->lo[0], cells = nearbyint(extent / dx);
+    for (double away = 0; away <= cells + 4; away++)
+        for (int side = -1; side <= 1; side += 2) {
+            double n = cells + side * away, off = 0;
+            if (n < 1 || extent / n >= most) continue;
+            for (int k = 0; k < planes; k++) off = fmax(off, off_face(p, &plane[k], extent / n));
+            if (off < 1e-6) return extent / n;
+        }
+    return 0;
+}
+
+void ladder_places_text(const struct ladder *l, const struct problem *p, char *text, size_t size) {
+    struct plane plane[PLANES];
+    int planes = find_planes(p, plane), moves = -1;
+    int layout = (int)l->rung[0].options.layout;
+    *text = '\0';
+    if (l->in_time || *l->vary || layout == LAYOUT_JITTER || layout == LAYOUT_RELAXED) return;
+    for (int k = 0; k < planes && moves < 0; k++) {
+        double lo = INFINITY, hi = -INFINITY;
+        for (int i = 0; i < l->n; i++) {
+            if (!l->window.counts[i]) continue;
+            double off = off_face(p, &plane[k], l->x[i]);
+            lo = fmin(lo, off), hi = fmax(hi, off);
+        }
+        if (hi - lo > SAME_PLACE) moves = k;
+    }
+    if (moves < 0) return;
+    snprintf(text, size, "the %s at %c = %.4g m is", plane[moves].what, "xyz"[plane[moves].axis], plane[moves].at);
+    for (int i = 0; i < l->n; i++)
+        words_add(text, size, "%s %.2g", i ? "," : "", off_face(p, &plane[moves], l->x[i]));
+    words_add(text, size, " cells from a face: the error scatters from rung to rung");
+    double dx = INFINITY;
+    char better[160] = "";
+    for (int i = 0; i < l->n && dx > 0; i++) {
+        dx = on_faces(p, plane, planes, l->x[i], dx);
+        words_add(better, sizeof better, "%s%.8g", i ? "," : "", dx);
+    }
+    if (dx > 0) words_add(text, size, "; on faces with --dx %s", better);
+}
+
 /* The slope and its interval from all draws of all included rungs. */
 static void fit_draws(struct ladder *l) {
     double x[RUNG_MAX * SEEDS_MAX], error[RUNG_MAX * SEEDS_MAX];

@@ -231,6 +231,46 @@ static void a_failed_rung_fails_the_ladder(void **state) {
     free(l);
 }
 
+/* Jumps of square-step at 1/2 and -1/2 of [-1, 1]: faces of 4 n cells; of rod-step at 1/3, thirds of a cell from a
+ * face where 3 does not divide n.  The interface of wall-composite at 0.4 of [0, 1]: faces of 5 n cells. */
+static void jumps_at_other_places_in_a_cell_are_named(void **state) {
+    (void)state;
+    static const struct {
+        const char *line, *text;
+    } row[] = {
+        {"ladder square-step ftcs --dx 0.5,0.2,0.1,1/15", "the jump at x = -0.5 m is 0, 0.5, 0, 0.5 cells from a "
+                                                          "face: the error scatters from rung to rung; on faces with "
+                                                          "--dx 0.5,0.25,0.1,0.071428571"},
+        {"ladder square-step ftcs --dx 0.5,0.25,0.1,0.05", ""},
+        {"ladder wall-composite ftcs --dx 0.2,0.125,0.1,0.05 --set rho_c1=2 --set k2=0.2 --set rho_c2=0.1 --set "
+         "t_end=0.15",
+         "the interface at x = 0.4 m is 0, 0.2, 0, 0 cells from a face: the error scatters from rung to rung; on "
+         "faces with "
+         "--dx 0.2,0.1,0.066666667,0.05"},
+        {"ladder rod-step ftcs --dx 0.1,0.05,0.025,0.0125 --set a=1/3", ""},
+        {"ladder rod-step ftcs --dx 0.1,0.05,1/30,0.025 --set a=1/3",
+         "the jump at x = -0.3333 m is 0.33, 0.33, 0, 0.33 cells from a face: the error scatters from rung to rung; "
+         "on faces "
+         "with --dx 0.11111111,0.047619048,0.033333333,0.025641026"},
+        {"ladder rod-step ftcs --dx 0.1,0.05,1/30,0.025 --set a=0.318309886183791",
+         "the jump at x = -0.3183 m is 0.18, 0.37, 0.45, 0.27 cells from a face: the error scatters from rung to "
+         "rung"},
+        {"ladder rod-cosine ftcs --dx 0.1,0.05,1/30,0.025", ""},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        struct ladder *l = xcalloc(1, sizeof *l);
+        struct command r = request(row[k].line, method_find("ftcs"));
+        struct failure why;
+        char text[480];
+        if (ladder_run(&r.experiment, &r.rungs, l, &why)) fail_msg("%s: %s", row[k].line, why.text);
+        ladder_places_text(l, &r.experiment.problem, text, sizeof text);
+        assert_string_equal(text, row[k].text);
+        command_free(&r);
+        ladder_free(l);
+        free(l);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spatial_ladder_reports_its_slope),
@@ -244,6 +284,7 @@ int main(void) {
         cmocka_unit_test(a_ceiling_bounds_the_finest_rung),
         cmocka_unit_test(failed_rungs_are_left_out_of_the_slope),
         cmocka_unit_test(a_failed_rung_fails_the_ladder),
+        cmocka_unit_test(jumps_at_other_places_in_a_cell_are_named),
     };
     return cmocka_run_group_tests_name("ladder", tests, NULL, NULL);
 }
