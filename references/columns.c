@@ -213,10 +213,8 @@ static void rho_c(const struct columns_row *row, double *value) {
     *value = row->p->material[material_at(row)].rho_c;
 }
 
-static const int wall_kind[] = {[DIRICHLET] = 1, [NEUMANN] = 2, [ROBIN] = 3};
-
 static void wall_values(const struct problem *p, int s, const double *x, double t, double *value) {
-    value[0] = wall_kind[p->side[s]];
+    value[0] = problem_law(p, s)->number;
     value[1] = p->wall(p, (enum side)s, x, t);
     value[2] = p->side[s] == ROBIN ? p->robin[s] : 0;
 }

@@ -102,10 +102,14 @@ static struct approx flux_density(const void *data, const double *along) {
     double x[DIM_MAX] = {0}, per = 1, slope = 0, bound = 0;
     for (int d = 0, n = 0; d < p->dim; d++) x[d] = d == a ? (s % 2 ? p->hi[a] : p->lo[a]) : along[n++];
     if (p->shape) per = place_round(p, p->radius[s], along, x);
-    double wall = p->wall(p, f->side, x, f->now.time), b = p->robin[s];
-    if (p->side[s] == NEUMANN) return (struct approx){per * wall, 0};
+    const struct wall_law *law = problem_law(p, s);
+    double wall = p->wall(p, f->side, x, f->now.time), b;
+    if (law->is_flux) return (struct approx){per * wall, 0};
     struct exact e = snapshot_at(&f->now, x);
-    if (p->side[s] == ROBIN) return (struct approx){per * b * (wall - e.temperature), b * e.error_bound};
+    if (law->exchange) {
+        double q = law->exchange(p, f->side, 1, wall, e.temperature, &b);
+        return (struct approx){per * q, fabs(b) * e.error_bound};
+    }
     double k = kirchhoff_along(p, material_at(p, x), a, e.temperature);
     for (int d = 0; d < p->dim; d++) {
         if (!p->shape && d != a) continue;

@@ -11,13 +11,18 @@ static double newton_cooling(const struct problem *p, enum side s, double d, dou
     return b * (value - T);
 }
 
-const struct wall_law problem_laws[] = {[DIRICHLET] = {.name = "Dirichlet"},
-                                        [NEUMANN] = {.name = "Neumann", .is_flux = 1},
-                                        [ROBIN] = {.name = "Robin", .exchange = newton_cooling},
-                                        [PERIODIC] = {.name = "periodic"}};
+const struct wall_law problem_laws[] = {
+    [DIRICHLET] = {.name = "Dirichlet", .word = "dirichlet", .number = 1},
+    [NEUMANN] = {.name = "Neumann", .word = "neumann", .number = 2, .is_flux = 1},
+    [ROBIN] = {.name = "Robin", .word = "robin", .number = 3, .exchange = newton_cooling},
+    [PERIODIC] = {.name = "periodic", .word = "periodic"}};
 
 const struct wall_law *problem_law(const struct problem *p, int side) {
     return &problem_laws[p->side[side]];
+}
+
+int problem_has_wall_temperature(const struct problem *p, int side) {
+    return problem_law(p, side)->number && !problem_law(p, side)->is_flux;
 }
 
 double problem_transfer(const struct problem *p, int side) {

@@ -70,14 +70,16 @@ struct problem {
 
 /* How to add a wall law, a heat flux q(T) into the body that depends on the temperature T of the wall:
  *   1. its kind in enum side_kind, and its coefficients in struct problem
- *   2. its row in problem_laws (problem.c): a name, q as `exchange`, and nonlinear = 1 if q is not linear in T
- *   3. its word in verification/case/case_file.c, and in the table of verification/README.md
+ *   2. its row in problem_laws (problem.c): names, number, q as `exchange`, and nonlinear = 1 if q is not linear in T
+ *   3. its coefficients in verification/case/case_file.c (write_side) and references/columns.c (wall_values), and its
+ *      word and number in the tables of verification/README.md
  *   4. a scene with such a wall
  * A problem with a nonlinear law is solved by solver/particles/nonlinear.c and, if k depends on T too, by the finite
- * differences; both take any q.  All solvers of dT/dt = A T + g refuse it.  A law linear in T is one of the kinds
- * above. */
+ * differences.  All solvers of dT/dt = A T + g refuse it.  A law linear in T is one of the kinds above. */
 struct wall_law {
     const char *name; /* for messages */
+    const char *word; /* in a case */
+    int number;       /* in `reference --what wall_x`; 0: no wall */
     int is_flux;      /* 1: `wall` is the flux into the body; 0: a temperature */
     /* d q, W m^-1, for surroundings at `value` and a wall at T, and its derivative by T; NULL: T or q is given. */
     double (*exchange)(const struct problem *p, enum side s, double d, double value, double T, double *slope);
@@ -85,6 +87,9 @@ struct wall_law {
 };
 extern const struct wall_law problem_laws[]; /* by enum side_kind */
 const struct wall_law *problem_law(const struct problem *p, int side);
+
+/* 1 where `wall` is a temperature: of the wall, or of the air at it. */
+int problem_has_wall_temperature(const struct problem *p, int side);
 
 /* W m^-2 K^-1: b of a wall with the linear law q = b (T_a - T); 0 for other sides. */
 double problem_transfer(const struct problem *p, int side);

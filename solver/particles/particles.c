@@ -123,8 +123,7 @@ int particles_check(const struct problem *p, const struct options *o, const stru
          "--walls mirror or fixed without --shift"},
         /* k(T) */
         {law && unequal, METHOD, axes, "materials with k_x = k_y"},
-        {law && stepper && !stepper->stage, STEPPER, "k depends on temperature here, and so does the operator",
-         stepper_list(1, steppers[0])},
+        {law && stepper && !stepper->stage, STEPPER, law, stepper_list(1, steppers[0])},
         {law && o->order > 2, ORDER, "with a k that depends on temperature, ghosts are second order", "2"},
         {law && (cut || !mirror), WALLS, "k depends on temperature here, and ghosts are images",
          "mirror, no --shift"},

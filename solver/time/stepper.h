@@ -41,9 +41,11 @@ struct stepper {
     const char *name, *about; /* name on the command line; one line of description */
     int order;                /* order in time; 0: no time step, or no time error */
     int arrays;               /* states: 2, or 3 if an update reads Y0, the state at the start of the step.  With 3,
-                                 Y0 is `start`: `old` of u[0] and u[1] has no value */
+                                 Y0 is `start`: `old` of u[0] and u[1] has no value, so u[1] of a method that
+                                 needs the start has .start, not .old */
     int stages;               /* updates per step; 0: returned by count */
-    int degree;               /* degree of data that change within a step, as polynomials in time (stepper.c); 0: 1 */
+    int degree;               /* degree of data that change within a step, as polynomials in time (stepper.c), p - 1
+                                 for order p; 0: 1 */
     int damped;               /* stages up to which eigenvalues off the real axis decay too; 0: no limit */
     double (*error)(int stages);           /* time error relative to that of many stages; NULL: 1 */
     int (*count)(double dt, double bound); /* smallest number of updates for which a step of dt (s) is stable */

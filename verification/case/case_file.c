@@ -121,14 +121,12 @@ static int is_uniform(const struct problem *p, int s) {
 
 /* Writes one value if the side is uniform, otherwise PLACES of them. */
 static void write_side(const struct problem *p, int s, FILE *out) {
-    static const char *const kind[] = {
-        [DIRICHLET] = "dirichlet", [NEUMANN] = "neumann", [ROBIN] = "robin", [PERIODIC] = "periodic"};
     static const char *const plane[] = {"side_x_lo", "side_x_hi", "side_y_lo", "side_y_hi", "side_z_lo", "side_z_hi"};
     static const char *const round[] = {"side_r_lo", "side_r_hi"};
     if (p->shape && !shape_has_wall(p, s)) return;
     int count = p->side[s] == PERIODIC ? 0 : is_uniform(p, s) ? 1 : PLACES;
     int each = p->dim == 3 && !p->shape ? 2 : PLACES - 1;
-    fprintf(out, "%s = %s", (p->shape ? round : plane)[s], kind[p->side[s]]);
+    fprintf(out, "%s = %s", (p->shape ? round : plane)[s], problem_law(p, s)->word);
     if (p->side[s] == ROBIN) fprintf(out, ", %.17g", p->robin[s]);
     for (int i = 0; i < count; i++) fprintf(out, ", %.17g", value_on_side(p, s, i, each));
     fputc('\n', out);

@@ -55,6 +55,8 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
     if (isfinite(l->beta)) printf("  %-12s %.4g (Pamplona 2019 eq. 15, dt = beta h^2/kappa)\n", "beta", l->beta);
     if (l->von_neumann == 0)
         printf("  no step is stable, whatever its size\n");
+    else if (!l->grows && fabs(l->measured / l->von_neumann - 1) > 0.05)
+        printf("  the run and the amplification factor disagree: one of the two is wrong\n");
     else if (l->published > 1.01 * l->von_neumann)
         printf("  the published bound lets a run blow up: it is %.3g times the true one\n",
                l->published / l->von_neumann);

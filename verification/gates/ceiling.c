@@ -286,6 +286,7 @@ static double third_of(const struct experiment *e) {
     const struct problem *p = &e->problem;
     const struct stepper *stepper = stepper_of(e->options.stepper);
     struct ceiling_weights w = ceiling_weights(e);
+    if (stepper && stepper->order > 2) return NAN;
     double stages = 3, bound = 2 * ceiling_weights_row(&w) * p->material[0].k[0] / p->material[0].rho_c;
     if (stepper && stepper->stages == 2) return 1.0 / 6;
     while (stages * stages + stages - 2 < 2 * step_of(e) * bound / sq(e->options.dx)) stages += 2;

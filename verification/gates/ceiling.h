@@ -49,7 +49,8 @@ double ceiling_next(const struct experiment *e, double q);
 double ceiling_matched(const struct experiment *e);
 /* dx^4/540 t T_ttt/kappa^2: Euler steps at F = 1/6 cancel the leading error of the three-point difference. */
 double ceiling_sixth(const struct experiment *e);
-/* Errors in time.  Euler: dt/2 t T_tt; midpoint rule: dt^2/6 t T_ttt; RKL2: (1 + 8/(s^2 + s - 2))/18 dt^2 t T_ttt. */
+/* Errors in time, of order 1 and 2.  Euler: dt/2 t T_tt; midpoint rule: dt^2/6 t T_ttt; RKL2: (1 + 8/(s^2 + s -
+ * 2))/18 dt^2 t T_ttt. */
 double ceiling_time(const struct experiment *e);
 double ceiling_euler(const struct experiment *e, double dt);
 

@@ -108,7 +108,8 @@ static void judge(const struct gate *gate, const struct program *program, const 
     const struct measure *measure = measures_find(gate->measure, m);
     if (!measure) return;
     if (!c || (bounded && measure->ceiling && !(gate->ceiling > 0))) {
-        judge_refused(m, c ? "this measure needs an error ceiling beside it" : refused);
+        judge_refused(m, c ? "this measure needs a ceiling, and that of its row has no value: see gates/ceiling.h"
+                           : refused);
         return;
     }
     struct command row = *c;

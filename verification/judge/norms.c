@@ -162,7 +162,7 @@ size_t norms_left_out(const struct field *f, const double *exact) {
 static void widen(const struct problem *p, const struct field *f, double *lo, double *hi) {
     double coldest = *lo, hottest = *hi;
     for (int s = 0; s < 2 * p->dim; s++) {
-        if (!shape_has_wall(p, s) || (p->side[s] != DIRICHLET && p->side[s] != ROBIN)) continue;
+        if (!shape_has_wall(p, s) || !problem_has_wall_temperature(p, s)) continue;
         size_t n = p->dim == 1 ? 1 : f->n;
 #pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (n >= NORMS_MANY)
         for (size_t i = 0; i < n; i++) {

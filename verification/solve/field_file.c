@@ -41,7 +41,7 @@ static int check_size(const struct samples *s, const struct problem *p, struct f
         double start = p->initial(p, samples_point(s, i, x));
         lo = fmin(lo, start), hi = fmax(hi, start);
         for (int side = 0; side < 2 * p->dim; side++)
-            if (shape_has_wall(p, side) && (p->side[side] == DIRICHLET || p->side[side] == ROBIN))
+            if (shape_has_wall(p, side) && problem_has_wall_temperature(p, side))
                 problem_wall_range(p, (enum side)side, shape_foot(p, side, x).x, &lo, &hi);
     }
     if (fabs(T[largest]) <= OVERFLOW * fmax(1, fmax(fabs(lo), fabs(hi)))) return STATUS_OK;

@@ -54,6 +54,24 @@ static void robin_roots_are_complete(void **state) {
     }
 }
 
+/* The derivative that each wall law states, against differences of its flux; each kind has its words. */
+static void laws_state_their_derivatives(void **state) {
+    (void)state;
+    for (int kind = DIRICHLET; kind <= PERIODIC; kind++) {
+        const struct wall_law *law = &problem_laws[kind];
+        struct problem p = {.robin = {0.37, 1.3}};
+        double slope, ignored, h = 1e-4;
+        assert_non_null(law->name);
+        assert_non_null(law->word);
+        if (!law->exchange) continue;
+        law->exchange(&p, X_HI, 0.7, 290, 310, &slope);
+        double above = law->exchange(&p, X_HI, 0.7, 290, 310 + h, &ignored);
+        double below = law->exchange(&p, X_HI, 0.7, 290, 310 - h, &ignored);
+        assert_near((above - below) / (2 * h) / slope, 1, 1e-8);                 /* rounding: 1e-16 * 30 K/h */
+        assert_near(law->exchange(&p, X_HI, 0.7, 310, 310, &ignored), 0, 1e-12); /* no flux at equal temperatures */
+    }
+}
+
 /* At the end the flux is that to the air; both slopes agree with differences; far from the end the temperature is
  * unchanged; as h tends to infinity the end becomes a Dirichlet end. */
 static void cooled_half_line_meets_its_conditions(void **state) {
@@ -129,6 +147,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(robin_roots_equal_known_values),
         cmocka_unit_test(robin_roots_are_complete),
+        cmocka_unit_test(laws_state_their_derivatives),
         cmocka_unit_test(cooled_half_line_meets_its_conditions),
         cmocka_unit_test(series_without_a_bound_reports_infinity),
         cmocka_unit_test(gradient_on_the_hot_side_is_its_limit),

@@ -7,6 +7,7 @@
 
 #include "verification/unit/near.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,6 +25,8 @@ static void gate_table_is_valid(void **state) {
         if (!measure) fail_msg("%s: %s", g->id, m.reason);
         if (!(g->lo <= g->hi)) fail_msg("%s: [%g, %g] is no band", g->id, g->lo, g->hi);
         if (measure->ceiling && !(g->ceiling > 0)) fail_msg("%s: no ceiling", g->id);
+        if (strcmp(g->measure, "slope") == 0 && floor(g->hi) > ceil(g->lo))
+            fail_msg("%s: [%g, %g] has room for two orders", g->id, g->lo, g->hi);
         if (strlen(g->why) < 10) fail_msg("%s: no reason", g->id);
         if (strpbrk(g->id, "{} ") || strpbrk(g->command, "{}")) fail_msg("%s: a word is left", g->id);
         for (int k = 0; k < i; k++)

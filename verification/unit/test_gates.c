@@ -57,9 +57,9 @@ static void correct_order_above_the_ceiling_fails(void **state) {
 
 static void an_order_needs_a_ceiling(void **state) {
     (void)state;
-    assert_fails(judge("slope", LADDER, 1.9, 2.1, NAN), "needs an error ceiling");
+    assert_fails(judge("slope", LADDER, 1.9, 2.1, NAN), "needs a ceiling");
     struct measured none = judge("slope", LADDER " --norm linf", 1.9, 2.1, 0);
-    assert_fails(none, "needs an error ceiling");
+    assert_fails(none, "needs a ceiling");
     assert_nan(none.value);
     assert_nan(none.ci[0]);
     assert_nan(none.ci[1]);

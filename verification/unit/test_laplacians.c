@@ -81,12 +81,11 @@ static void positive_weights(void **state) {
 
 static void second_moments_on_the_lattice(void **state) {
     (void)state;
-    static const char *const all[] = {
-        "brookshaw", "brookshaw_corrected", "schwaiger", "fatehi_manzari", "cspm", "kernel_second", "flux_divergence",
-        "positive",  "conjugate",           "so_ssph",   "fo_ssph"};
-    for (int m = 0; m < 11; m++)
+    for (int m = 0; methods[m]; m++) {
+        const struct scheme *s = methods[m]->scheme;
+        if (!s) continue;
         for (int k = 0; kernel_words[k]; k++)
-            for (int unequal = 0; unequal < (named(all[m])->scheme->isotropic ? 1 : 2); unequal++) {
+            for (int unequal = 0; unequal < (s->isotropic ? 1 : 2); unequal++) {
                 struct options o = {.dx = 0.05, .h = 1.23, .kernel = (enum kernel_name)k};
                 struct problem p = odd_rectangle();
                 struct failure why;
@@ -94,18 +93,20 @@ static void second_moments_on_the_lattice(void **state) {
                 double *w, sum[3] = {0, 0, 0};
                 const double *kappa = unequal ? both : same;
                 p.material[0] = (struct material){{kappa[0], kappa[1]}, 1};
-                assert_int_equal(operator_stencil(&p, &o, named(all[m])->scheme, 1, kappa, reach, &w, &why),
-                                 STATUS_OK);
+                if (operator_stencil(&p, &o, s, 1, kappa, reach, &w, &why))
+                    fail_msg("%s: %s", methods[m]->name, why.text);
                 for (int j = -reach[1]; j <= reach[1]; j++)
                     for (int i = -reach[0]; i <= reach[0]; i++) {
                         double v = w[abs(j) * (reach[0] + 1) + abs(i)];
                         sum[0] += v * i * i, sum[1] += v * j * j, sum[2] += v;
                     }
                 free(w);
-                assert_near(sum[0], 2 * kappa[0], 1e-11);
-                assert_near(sum[1], 2 * kappa[1], 1e-11);
+                if (!(fabs(sum[0] / kappa[0] - 2) <= 1e-11 && fabs(sum[1] / kappa[1] - 2) <= 1e-11))
+                    fail_msg("%s: moments %.12g, %.12g kappa", methods[m]->name, sum[0] / kappa[0],
+                             sum[1] / kappa[1]);
                 assert_near(sum[2], 0, 1e-12);
             }
+    }
 }
 
 static double no_flux(const struct problem *p, enum side s, const double x[2], double t) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steppers on one equation: stages, degrees, exponentials, and threads that have work. */
+/* Steppers on one equation: each row of steppers.def by its own numbers; stages, exponentials, threads. */
 
 #include "solver/time/stepper.h"
 #include "verification/case/command.h"
@@ -176,6 +176,88 @@ static void steppers_advance_one_equation(void **state) {
     assert_near(T, 1.3 * (1 - 1.3 * dt) * (1 - 0.7 * dt), 1e-15);
 }
 
+/* ---- every row of steppers.def ---- */
+
+/* The slope of log error over log step between two steps, one half of the other. */
+static double order_of(double whole, double half) {
+    return log2(fabs(whole / half));
+}
+
+/* One step of dt from T0 of dT/dt = f(T, t), by the stages. */
+static double step_in_stages(const struct stepper *s, int stages, double (*f)(double T, double t), double T0,
+                             double t, double dt) {
+    double L0 = f(T0, t), older = T0, newer = T0 + dt * s->stage(stages, 1).rate * L0;
+    for (int j = 2; j <= stages; j++) {
+        struct stage k = s->stage(stages, j);
+        double L = f(newer, t + k.time * dt);
+        double next =
+            k.newer * newer + k.older * older + (1 - k.newer - k.older) * T0 + dt * k.rate * (L - k.first * L0);
+        older = newer, newer = next;
+    }
+    return newer;
+}
+
+static double decay(double T, double t) {
+    (void)t;
+    return -T;
+}
+
+/* T = 1 + sin t from T(0) = 1 */
+static double riccati(double T, double t) {
+    return cos(t) - (T - 1 - sin(t)) * (T + 1 + sin(t));
+}
+
+static double riccati_error(const struct stepper *s, int stages, int steps) {
+    const double end = 1, dt = end / steps;
+    double T = 1;
+    for (int k = 0; k < steps; k++) T = step_in_stages(s, stages, riccati, T, k * dt, dt);
+    return T - 1 - sin(end);
+}
+
+/* G(z) is exp(z) up to z^(order+1); |G| <= 1 up to the interval, above 1 soon after it; the updates and the stages
+ * multiply T by G; T' = f(T, t) has the stated order. */
+static void check_stepper(enum stepper_name name, int stages) {
+    const struct stepper *s = stepper_of(name);
+    const double reach = s->interval(stages), z = 0.02;
+    double beyond = 0;
+    for (int k = 0; k <= 200; k++) {
+        double at = reach * k / 200, G = creal(s->amplification(stages, -at)), T = 1;
+        beyond = fmax(beyond, cabs(s->amplification(stages, -reach * (1 + 0.3 * k / 200))));
+        if (!(fabs(G) <= 1 + 1e-12)) fail_msg("%s: G = %g at -%g within its interval", s->name, G, at);
+        assert_int_equal(march(name, stages, 0, at, 1, &T), STATUS_OK);
+        if (!(fabs(T - G) <= 1e-12 * stages)) fail_msg("%s: updates have %.15g, G(-%g) = %.15g", s->name, T, at, G);
+        if (!s->stage) continue;
+        T = step_in_stages(s, stages, decay, 1, 0, at);
+        if (!(fabs(T - G) <= 1e-12 * stages)) fail_msg("%s: stages have %.15g, G(-%g) = %.15g", s->name, T, at, G);
+    }
+    if (!(beyond > 1)) fail_msg("%s: stable beyond its interval %g", s->name, reach);
+    double p = order_of(creal(s->amplification(stages, -z)) - exp(-z),
+                        creal(s->amplification(stages, -z / 2)) - exp(-z / 2));
+    if (fabs(p - s->order - 1) > 0.1) fail_msg("%s: G - exp(z) has order %g", s->name, p);
+    if (!s->stage) return;
+    p = order_of(riccati_error(s, stages, 40), riccati_error(s, stages, 80));
+    if (fabs(p - s->order) > 0.1) fail_msg("%s: order %g with a right-hand side that is not linear", s->name, p);
+}
+
+static void every_row_has_its_order_and_its_interval(void **state) {
+    (void)state;
+    int tried = 0;
+    for (int name = STEPPER_AUTO + 1; stepper_words[name]; name++) {
+        const struct stepper *s = stepper_of((enum stepper_name)name);
+        if (!s->amplification || s->order == 0) continue;
+        /* data that change within a step: degree p - 1 for order p */
+        if ((s->degree ? s->degree : 1) < s->order - 1) fail_msg("%s: degree %d", s->name, s->degree);
+        for (int stages = s->stages ? s->stages : 3; stages <= (s->stages ? s->stages : 15); stages += 6) {
+            struct update u[15] = {0};
+            s->updates(0.1, 1, stages, u);
+            if (s->arrays == 3) assert_near(u[0].old + u[1].old, 0, 0); /* no state before Y0 */
+            check_stepper((enum stepper_name)name, stages);
+        }
+        tried++;
+    }
+    assert_order(tried, >=, 3);
+}
+
 static void nan_is_reported_as_unstable(void **state) {
     (void)state;
     double T = NAN;
@@ -205,6 +287,7 @@ int main(void) {
         cmocka_unit_test(rkl2_stages_meet_the_stability_bound),
         cmocka_unit_test(damped_start_meets_its_stability_bounds),
         cmocka_unit_test(steppers_advance_one_equation),
+        cmocka_unit_test(every_row_has_its_order_and_its_interval),
         cmocka_unit_test(nan_is_reported_as_unstable),
         cmocka_unit_test(stages_may_be_many),
     };
