@@ -62,23 +62,13 @@ double gci_order(double e21, double e32, double r21, double r32, int *oscillates
     return hi;
 }
 
-/* Mean unit of the last printed digit, for values with the digits, or decimals, of the longest of them. */
+/* Mean unit of the last printed digit, from some hundred values. */
 static double printed_unit(const double *value, size_t n, int *digits) {
     enum { MOST = 500 };
     size_t stride = n / MOST + 1, count = 0;
-    int decimals = 400;
-    double sum = 0;
-    char text[NUMBER_PRINTED];
-    *digits = 0;
-    for (size_t i = 0; i < n; i += stride) {
-        if (value[i] == 0) continue;
-        int of = number_digits(value[i], 0, 17, text), last = atoi(strchr(text, 'e') + 1) - of + 1;
-        if (of > *digits) *digits = of;
-        if (last < decimals) decimals = last; /* the power of ten of the last digit */
-    }
-    for (size_t i = 0; i < n; i += stride, count++)
-        if (value[i] != 0) sum += pow(10, fmax(floor(log10(fabs(value[i]))) + 1 - *digits, decimals));
-    return sum / (double)count;
+    double some[MOST];
+    for (size_t i = 0; i < n; i += stride) some[count++] = value[i];
+    return number_units(some, count, 0, digits) / (double)count;
 }
 
 /* Change of the order for an error `unit` in each of the two last changes, from the slope of ln g. */

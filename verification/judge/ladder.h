@@ -87,8 +87,8 @@ struct table ladder_table(const struct ladder *l, int timed);
  * no interval. */
 void ladder_slope_text(const struct ladder *l, char *text, size_t size);
 
-/* Where the rungs in use put a jump of the data, or an interface, at different places in a cell, a line that says so
- * with spacings that put it on faces; else "".  p: the problem of the ladder. */
+/* A line with spacings that put each jump of the data and each interface on faces, if the rungs in use put one at
+ * different places in a cell; else "".  p: the problem of the ladder. */
 void ladder_places_text(const struct ladder *l, const struct problem *p, char *text, size_t size);
 
 void ladder_json(const struct ladder *l, struct json *j); /* into an open object */

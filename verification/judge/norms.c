@@ -212,28 +212,17 @@ double norms_heat_drift(const struct field *f) {
     return (f->heat[1] - f->heat[0]) / fabs(f->heat[0]);
 }
 
-/* Rounding to a unit u has a mean error of u/4.  The unit of T is that of its last digit: of `digits` significant
- * ones (%g, %e), or of the largest number of decimals of any T (%f), whichever is coarser.  A program prints T of the
- * case; mapping to the scene and back adds rounding errors of the largest T or of the offset. */
+/* Rounding to a unit u has a mean error of u/4.  A program prints T of the case; mapping to the scene and back adds
+ * rounding errors of the largest T or of the offset. */
 double norms_digits(const struct field *f, const struct mapping *map, int *digits) {
     enum { POINTS = 500 };
-    size_t stride = f->n / POINTS + 1;
-    int decimals = 400;
-    char text[NUMBER_PRINTED];
-    double units = 0, sum = 0, scale = mapping_scale(map);
+    size_t stride = f->n / POINTS + 1, n = 0;
+    double T[POINTS], sum = 0, scale = mapping_scale(map);
     double off = mapping_is_none(map) ? 0 : 4 * DBL_EPSILON * (scale * field_largest(f) + fabs(map->offset));
-    *digits = 0;
     for (size_t i = 0; i < f->n; i += stride) {
-        double T = mapping_temperature(map, f->T[i]);
-        if (fabs(T) <= off) continue;
-        int n = number_digits(T, off / fabs(T), 17, text), last = atoi(strchr(text, 'e') + 1) - n + 1;
-        if (n > *digits) *digits = n;
-        if (last < decimals) decimals = last; /* the power of ten of the last digit */
-    }
-    for (size_t i = 0; i < f->n; i += stride) {
-        double T = fabs(mapping_temperature(map, f->T[i]));
-        if (T > off) units += pow(10, fmax(floor(log10(T)) + 1 - *digits, decimals));
+        T[n++] = mapping_temperature(map, f->T[i]);
         sum += scale * fabs(f->T[i]);
     }
+    double units = number_units(T, n, off, digits);
     return sum > 0 ? units / 4 / sum : 0;
 }

@@ -91,6 +91,23 @@ int number_digits(double value, double off, int most, char text[NUMBER_PRINTED])
     return most + 1;
 }
 
+double number_units(const double *value, size_t n, double off, int *digits) {
+    int decimals = 400;
+    char text[NUMBER_PRINTED];
+    double sum = 0;
+    *digits = 0;
+    for (size_t i = 0; i < n; i++) {
+        double size = fabs(value[i]);
+        if (size <= off) continue;
+        int of = number_digits(value[i], off / size, 17, text), last = atoi(strchr(text, 'e') + 1) - of + 1;
+        if (of > *digits) *digits = of;
+        if (last < decimals) decimals = last; /* the power of ten of the last digit */
+    }
+    for (size_t i = 0; i < n; i++)
+        if (fabs(value[i]) > off) sum += pow(10, fmax(floor(log10(fabs(value[i]))) + 1 - *digits, decimals));
+    return sum;
+}
+
 void number_sort_falling(double *values, int count) {
     double typed[NUMBERS_MAX];
     memcpy(typed, values, (size_t)count * sizeof *values);

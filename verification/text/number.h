@@ -32,6 +32,11 @@ int number_read_whole(const char *text, long max, long *value);
 enum { NUMBER_PRINTED = 32 };
 int number_digits(double value, double off, int most, char text[NUMBER_PRINTED]);
 
+/* Sum of the units of the last printed digit of n values: that of *digits significant ones (%g, %e), the most of any
+ * value, or of the most decimals of any (%f), whichever is coarser.  Values are known to within `off`; smaller ones
+ * have no digits. */
+double number_units(const double *value, size_t n, double off, int *digits);
+
 /* Reads `length` bytes as a decimal in the notation of programs: 1.5, 1.5e-3, 1.5D-3, or 1.2345-110 (Fortran with an
  * exponent of three digits).  Returns 0; 1 for nan or inf in any case, with *value NaN; -1 for anything else. */
 int number_read_printed(const char *text, size_t length, double *value);

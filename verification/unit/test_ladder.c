@@ -231,8 +231,9 @@ static void a_failed_rung_fails_the_ladder(void **state) {
     free(l);
 }
 
-/* Jumps of square-step at 1/2 and -1/2 of [-1, 1]: faces of 4 n cells; of rod-step at 1/3, thirds of a cell from a
- * face where 3 does not divide n.  The interface of wall-composite at 0.4 of [0, 1]: faces of 5 n cells. */
+/* Jumps of square-step at 1/2 and -1/2 of [-1, 1]: faces of 4 n cells; of rod-step at 1/3 of [-2, 2], a third of
+ * a cell from a face where 12 does not divide the number of cells.  The interface of wall-composite at 0.4 of [0, 1]:
+ * faces of 5 n cells. */
 static void jumps_at_other_places_in_a_cell_are_named(void **state) {
     (void)state;
     static const struct {
