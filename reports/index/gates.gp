@@ -42,7 +42,7 @@ set mytics 1
 set grid xtics ytics
 eval sprintf("set ytics font '%s'", size_of(10.5))
 set xlabel 'dx  [m]' offset 0, 0.4
-set ylabel 'E1  [-]' offset 0.5
+set ylabel 'E1  [-]' offset 1.5
 array COLOUR[8] = [BLUE, RED, GREEN, PURPLE, ORANGE, BLACK, SKY, RED]
 array POINT[8] = [6, 4, 8, 12, 10, 1, 14, 2]
 size_of_point(k) = (2.4 - 0.2 * k) * P

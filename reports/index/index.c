@@ -48,11 +48,12 @@ static void put_lead(FILE *out) {
     int cases = 0, solvers = 0;
     while (scenes[cases]) cases++;
     while (methods[solvers]) solvers++;
-    fprintf(out,
-            "<p>Tested are %d methods for transient heat conduction, particles and finite differences, on %d scenes "
-            "with exact solutions. A gate holds where the error and the order at which it falls with the spacing are "
-            "in the bands that theory gives.</p>\n",
-            solvers, cases);
+    fprintf(
+        out,
+        "<p>%d methods for transient heat conduction, particles and finite differences, run on %d scenes with exact "
+        "solutions. A gate holds where the error, and the order at which it falls with the spacing, are in the "
+        "bands that theory gives.</p>\n",
+        solvers, cases);
 }
 
 int index_write(const char *dir, struct failure *why) {
