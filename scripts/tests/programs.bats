@@ -88,7 +88,9 @@ ROWS
 
 @test "a FILE of - is standard output, with nothing else; folders that are missing are made" {
     [ "$(heatladder run rod-gauss ftcs --dx 1 --field - 2>/dev/null | head -n 1)" = x,T,exact ]
-    [ "$(heatladder verify --only symmetry/none --json - 2>/dev/null | head -c 1)" = "{" ]
+    for row in json={ csv=i page='<' junit='<'; do # the first letters
+        [ "$(heatladder verify --only symmetry/none "--${row%%=*}" - 2>/dev/null | head -c 1)" = "${row#*=}" ]
+    done
     expect 2 'standard output takes one file' heatladder verify --only symmetry/none --json - --junit -
     [ ! -e - ]
     expect 0 'gates declared' heatladder verify --only symmetry/none --json a/b/gates.json --page c/d/page.html
