@@ -72,6 +72,17 @@ static void an_exact_code_in_other_temperatures_passes(void **state) {
     free(l);
 }
 
+/* Cells of widths 0.8 dx and 1.2 dx in turn: mean errors and fluxes. */
+static void a_code_with_cells_of_two_widths_passes(void **state) {
+    (void)state;
+    static const char *const id[] = {"smooth/gauss", "walls/insulated", "walls/cooled", "jump/faces", "whole/flux"};
+    struct measured m;
+    for (int i = 0; i < 5; i++) {
+        row(2, id[i], "widths 0.05", &m);
+        if (m.verdict != VERDICT_PASS) fail_msg("%s: %s", id[i], m.reason);
+    }
+}
+
 /* As a typed ladder: passes below a ceiling, fails above it, and is inconclusive without one. */
 static void rung_at_round_off_passes_its_ceiling(void **state) {
     (void)state;
@@ -181,6 +192,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_exact_code_passes),
         cmocka_unit_test(an_exact_code_in_other_temperatures_passes),
+        cmocka_unit_test(a_code_with_cells_of_two_widths_passes),
         cmocka_unit_test(rung_at_round_off_passes_its_ceiling),
         cmocka_unit_test(the_number_of_missing_rungs_is_stated),
         cmocka_unit_test(draws_are_pooled),
