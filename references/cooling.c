@@ -25,7 +25,7 @@ struct cooling_mode cooling_mode(int n, int insulated, double L, double h) {
 
 /* Direct for y < 5, where rounding of the exponent costs 25 eps; else by its continued fraction, with an error below
  * eps at 20 levels (Abramowitz and Stegun 1964, 7.1.14). */
-static double erfcx(double y) {
+double cooling_erfcx(double y) {
     if (y < 5) return exp(y * y) * erfc(y);
     double fraction = y;
     for (int k = 20; k > 0; k--) fraction = y + k / 2.0 / fraction;
@@ -33,6 +33,6 @@ static double erfcx(double y) {
 }
 
 struct cooling_half cooling_half(double d, double h, double s) {
-    double z = d / s, fall = exp(-z * z), end = fall * erfcx(z + h * s / 2);
+    double z = d / s, fall = exp(-z * z), end = fall * cooling_erfcx(z + h * s / 2);
     return (struct cooling_half){erf(z) + end, h * end, h * (h * s / 2 * end - fall / sqrt(M_PI)), end};
 }

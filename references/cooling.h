@@ -24,6 +24,9 @@ struct cooling_half {
     double end;    /* E = exp(h d + (h s/2)^2) erfc(d/s + h s/2) */
 };
 
+/* exp(y^2) erfc(y), y >= 0, with a relative error of 60 eps. */
+double cooling_erfcx(double y);
+
 /* d in m, h in m^-1, s in m; d and h >= 0. */
 struct cooling_half cooling_half(double d, double h, double s);
 

@@ -5,14 +5,15 @@
 #include "references/series.h"
 #include "references/talbot.h"
 
-/* Two layers in perfect contact at x = 0, between walls at -width[0] and width[1]: solutions by the Laplace
- * transform and by eigenfunctions. */
+/* Two layers in contact at x = 0, between walls at -width[0] and width[1]: solutions by the Laplace transform and by
+ * eigenfunctions. */
 struct layers {
     double width[2]; /* m */
     double k[2];     /* W m^-1 K^-1 */
     double rho_c[2]; /* J m^-3 K^-1 */
     double wall[2];  /* K, Dirichlet value at the outer face of each layer */
     double start[2]; /* K, uniform initial temperature of each layer */
+    double R;        /* m^2 K W^-1, resistance of the contact: T falls by R times the flux; 0: perfect */
 };
 
 /* The contour of the numerical inversion at one time, with the factors of the transform that do not depend on x. */

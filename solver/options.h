@@ -22,7 +22,7 @@ enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
 /* Beyond WALLS_FIXED, and for WALLS_FIXED on a cut lattice, dummy particles follow particles/walls.c.
  * WALLS_ONE_SIDED has no dummies. */
 enum walls { WALLS_MIRROR, WALLS_FIXED, WALLS_DISTANCE, WALLS_AVERAGE, WALLS_IMAGE, WALLS_FIT, WALLS_ONE_SIDED };
-/* MEAN_AUTO: harmonic between two materials, kirchhoff where k depends on T. */
+/* MEAN_AUTO: harmonic between two materials, series with a contact resistance, kirchhoff where k depends on T. */
 enum mean { MEAN_AUTO, MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES, MEAN_KIRCHHOFF };
 /* Fluxes of a tensor that is not diagonal: through faces, or from gradients at the corners of cells. */
 enum cross { CROSS_FACE, CROSS_CORNER };

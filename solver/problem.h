@@ -28,10 +28,11 @@ struct problem {
     int dim;                         /* 1 to 3 */
     double lo[DIM_MAX], hi[DIM_MAX]; /* m; 0 along axes past dim; for other shapes the bounding box */
     const struct shape *shape;       /* NULL: a rod, a rectangle or a box */
-    double radius[2]; /* m, of a round body about 0: radius of its hole (0: none) and of the outer wall */
-    double t_end;     /* s */
-    int materials;    /* material[0] is at x < interface, material[1] at x >= interface */
-    double interface; /* m */
+    double radius[2];  /* m, of a round body about 0: radius of its hole (0: none) and of the outer wall */
+    double t_end;      /* s */
+    int materials;     /* material[0] is at x < interface, material[1] at x >= interface */
+    double interface;  /* m */
+    double resistance; /* m^2 K W^-1, of the interface of a rod: T falls by resistance times the flux; 0: none */
     struct material material[MATERIAL_MAX];
     double cross[DIM_MAX]; /* W m^-1 K^-1: k_xy, k_xz, k_yz of one material; 0: a diagonal tensor */
     enum k_law k_law;

@@ -9,6 +9,13 @@
  * cuts conduct in parallel, with the mean of k_y or k_z over its width.  A point or face within round-off of the
  * interface is on it.
  *
+ * A contact resistance R on a rod is in series with the two parts of a line, k = d / (l_1/k_1 + R + l_2/k_2): steady
+ * profiles remain exact.  The parts of a cut cell then differ by R q, which is not small with d, so the cell cannot
+ * have one temperature: the first point on either side has the heat of its own material up to the interface, in a
+ * width of d/2 + its distance from there (d/2 to 3 d/2).  The heat of a side is then that of a sum over points up to
+ * O(d^2), and the flux between them is q (1 + O(d^2)): second order.  A point on the interface is of material 1, with
+ * half a cell.  The harmonic and arithmetic means have no place for R.
+ *
  * Conductivity that depends on temperature.  With theta(T), the integral of k, the mean of k over the temperatures
  * between two points conducts theta_n - theta_i (kirchhoff): the differences of one material, with theta for T.  The
  * harmonic and arithmetic means use the two values of k.  The harmonic mean of Patankar is 0 if one of them is 0.
@@ -29,20 +36,30 @@ static double depth(const struct problem *p, double d, double x) {
     return fabs(apart - edge) < 1e-9 ? edge : apart;
 }
 
-/* Parts of the cell about x on either side of the interface: their widths in units of d and their centres, m.
- * Returns the number of parts, 1 or 2. */
-int ftcs_face_parts(const struct problem *p, double d, double x, double share[2], double middle[2]) {
+/* The part of its own material that the point x has, with a resistance. */
+static void own_part(const struct problem *p, double d, double x, double at, double share[2], double middle[2]) {
+    const int m = at >= 0, is_first = at >= -1 && at < 1;
+    share[m] = is_first ? 0.5 + fabs(at) : 1;
+    share[1 - m] = 0;
+    middle[m] = is_first ? p->interface + (m ? 0.5 : -0.5) * share[m] * d : x;
+}
+
+/* Parts of the cell about x on either side of the interface: their widths in units of d and their centres, m. */
+void ftcs_face_parts(const struct problem *p, double d, double x, double share[2], double middle[2]) {
     double at = p->materials == 2 ? depth(p, d, x) : -1;
+    if (p->resistance > 0) {
+        own_part(p, d, x, at, share, middle);
+        return;
+    }
     share[0] = fmin(1, fmax(0, 0.5 - at));
     share[1] = 1 - share[0];
     middle[0] = middle[1] = x;
-    if (share[0] == 0 || share[1] == 0) return 1;
+    if (share[0] == 0 || share[1] == 0) return;
     middle[0] = p->interface - 0.5 * share[0] * d;
     middle[1] = p->interface + 0.5 * share[1] * d;
-    return 2;
 }
 
-/* J m^-3 K^-1: average over the cell about x. */
+/* J m^-3 K^-1: heat capacity of the parts of the cell about x over its volume. */
 double ftcs_face_rho_c(const struct problem *p, double d, double x) {
     double share[2], middle[2];
     ftcs_face_parts(p, d, x, share, middle);
@@ -60,9 +77,10 @@ double ftcs_face_k(const struct problem *p, enum mean mean, int axis, double d, 
     double here = depth(p, d, x), there = here + (d > 0 ? 1 : -1);
     double ka = p->material[here >= 0].k[0], kb = p->material[there >= 0].k[0];
     double beyond = fmin(1, fmax(0, fmax(here, there))); /* fraction of the line */
+    double R = (here >= 0) == (there >= 0) ? 0 : p->resistance / fabs(d);
     if (mean == MEAN_ARITHMETIC) return 0.5 * (ka + kb);
-    if (mean != MEAN_SERIES) return 2 * ka * kb / (ka + kb);
-    return 1 / ((1 - beyond) / p->material[0].k[0] + beyond / p->material[1].k[0]);
+    if (mean != MEAN_SERIES && !(R > 0)) return 2 * ka * kb / (ka + kb);
+    return 1 / ((1 - beyond) / p->material[0].k[0] + R + beyond / p->material[1].k[0]);
 }
 
 /* ---- Conductivity that depends on temperature ---- */

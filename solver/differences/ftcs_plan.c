@@ -50,6 +50,8 @@ static int check_options(const char *method, int with_fluxes, const struct probl
         {two && with_fluxes, NULL, NULL, "takes one material, the scene has two; use ftcs"},
         {two && o->sampling == SAMPLING_SPLINE, "sampling", sampling, "takes one material; use point or cell"},
         {two && node, "layout", layout, "takes one material; use lattice"},
+        {p->resistance > 0 && (o->mean == MEAN_HARMONIC || o->mean == MEAN_ARITHMETIC), "mean",
+         o->mean == MEAN_HARMONIC ? "harmonic" : "arithmetic", "has no place for a contact resistance; use series"},
         {two && matched, "stepper", stepper, "takes one material; use euler"},
         {!law && problem_nonlinearity(p), NULL, NULL,
          "a wall whose flux is not linear in T needs k(T) here; use so_ssph"},

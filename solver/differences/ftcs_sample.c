@@ -116,9 +116,11 @@ static double average(const struct problem *p, const double *x, const double *d,
 
 double ftcs_sample(const struct problem *p, const double *x, const double *d, enum sampling how) {
     double share[2], middle[2], heat = 0, at[DIM_MAX] = {x[0]}, width[DIM_MAX] = {d[0]};
-    if (ftcs_face_parts(p, d[0], x[0], share, middle) == 1) return average(p, x, d, how);
+    ftcs_face_parts(p, d[0], x[0], share, middle);
+    if (share[0] == 1 || share[1] == 1) return average(p, x, d, how);
     for (int a = 1; a < p->dim; a++) at[a] = x[a], width[a] = d[a];
     for (int m = 0; m < 2; m++) {
+        if (share[m] == 0) continue;
         at[0] = middle[m], width[0] = share[m] * d[0];
         heat += share[m] * p->material[m].rho_c * average(p, at, width, how);
     }

@@ -4,7 +4,9 @@
  * k_ij is 4 k_i k_j / (k_i + k_j) (harmonic), k_i + k_j (arithmetic), or twice the conductance of the line between
  * the particles, 2 r / sum(l / k) (series: exact for every pair across a plane interface).  Pair fluxes are equal
  * and opposite, so heat is conserved on any layout.  On a lattice rho_c is the average over the particle's cell.
- * The cells then have the heat of both materials, and a rod is second order for any interface position.
+ * The cells then have the heat of both materials, and a rod is second order for any interface position.  A contact
+ * resistance is one more term of the line (series); the first particle on either side of it then has the heat of its
+ * own material up to the interface (layout_part).
  *
  * Where T varies along a contact, brookshaw is of first order in the limit.  A pair that crosses the contact
  * obliquely conducts along it too by the series mean, on average k_1 k_2 ln(k_1/k_2) / (k_1 - k_2) over the points
@@ -52,9 +54,9 @@ static double mean_conductivity(const struct problem *p, enum mean mean, double 
     double ki = p->material[here].k[0], kj = p->material[there].k[0];
     if (here == there) return 2 * ki;
     if (mean == MEAN_ARITHMETIC) return ki + kj;
-    if (mean != MEAN_SERIES) return 4 * ki * kj / (ki + kj);
+    if (mean != MEAN_SERIES && p->resistance == 0) return 4 * ki * kj / (ki + kj);
     double part = (p->interface - x) / d; /* fraction of the line on this side */
-    return 2 / (part / ki + (1 - part) / kj);
+    return 2 / (part / ki + (1 - part) / kj + p->resistance / fabs(d));
 }
 
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],

@@ -6,13 +6,19 @@
  *   x      ->  X + r xi                        x^2/2  ->  X^2/2 + r X xi + a xi^2/2
  *   y      ->  y                               x y    ->  (X + r xi) y
  *   y^2/2  ->  y^2/2 + b xi^2/2,   b = (kappa_y - kappa_y')/kappa_x'
- * and z as y; y z is unchanged.  The weights are the least squares with these five (two on a rod, nine in space)
- * functions and the kernel as weight.  For large r or a the functions beyond the interface would dominate the sum, so
- * each equation is divided by its size, which makes all of them comparable with monomials.  With weights of either
- * sign modes still grow: on a rod from h/dx = 1.5, on clouds in the plane at a ratio of 100 between diffusivities.
- * Weights >= 0 exclude growth by a maximum principle: the extreme value of a row is bounded by its neighbours.  On a
- * rod such weights exist if there is a neighbour on either side; in the plane they were found in every row up to
- * jitter 0.3.  The least squares among them are used (nonnegative.c), or those of either sign if none exist.
+ * and z as y; y z is unchanged.  With a contact resistance R on a rod T is not continuous: X is replaced by X + J in
+ * the continuation of x and X^2/2 by X^2/2 + J X in that of x^2/2, J = R k_x with the sign of xi.  T_t then jumps by
+ * J T_xt, which the functions omit: an error J T_xt xi^2/(2 kappa_x') in T_j.  For weights w >= 0 the equations of
+ * x^2/2 and x bound the sum of w_j (X + J + r xi) beyond the interface by 2 kappa_x/min |x|, so the omission leaves
+ * less than kappa_x/kappa_x' |T_xt| support^2/min |x|, which is O(dx) as is the rest.
+ *
+ * The weights are the least squares with these five (two on a rod, nine in space) functions and the kernel as
+ * weight.  For large r or a the functions beyond the interface would dominate the sum, so each equation is divided by
+ * its size, which makes all of them comparable with monomials.  With weights of either sign modes still grow: on a
+ * rod from h/dx = 1.5, on clouds in the plane at a ratio of 100 between diffusivities. Weights >= 0 exclude growth by
+ * a maximum principle: the extreme value of a row is bounded by its neighbours.  On a rod such weights exist if there
+ * is a neighbour on either side; in the plane they were found in every row up to jitter 0.3.  The least squares among
+ * them are used (nonnegative.c), or those of either sign if none exist.
  *
  * Exact: for all piecewise quadratic fields that satisfy the interface conditions, on any cloud.  The truncation
  * error is O(dx) at the interface as elsewhere on a cloud, with weights >= 0 at most kappa |T_xxx| support/3 for any
@@ -50,8 +56,9 @@ static double contact_functions(const struct problem *p, const struct neighbourh
     double x = d[0] / nb->h, X = (p->interface - nb->x[0]) / nb->h;
     if (here == there) X = x; /* no interface */
     double xi = x - X, r = m->k[0] / other->k[0], kappa_x = other->k[0] / other->rho_c;
-    double along = X + r * xi, a = nb->kappa[0] / kappa_x, most = 0;
-    double curved = X * X / 2 + r * X * xi + a * xi * xi / 2;
+    double J = copysign(p->resistance * m->k[0] / nb->h, x), near = here == there ? X : X + J;
+    double along = near + r * xi, a = nb->kappa[0] / kappa_x, most = 0;
+    double curved = X * (near - X / 2) + r * X * xi + a * xi * xi / 2;
     int n = 0;
     P[n++] = along;
     for (int e = 1; e < nb->dim; e++) P[n++] = d[e] / nb->h;

@@ -2,8 +2,9 @@
 /* Heat fluxes through the faces of Voronoi cells (MacNeal 1953; Mishev 1998, Numer. Methods PDE 14:193):
  *   V_i rho_c dT_i/dt = sum_j A_ij/d_ij K_ij (T_j - T_i),   A_ij the face between the cells of i and j, V_i the cell.
  * With k_x != k_y cells, faces and distances are those of the metric x/sqrt(k_x), y/sqrt(k_y) (voronoi.h), and
- * K = sqrt(k_x k_y).  Between two materials K follows from the resistances in series along the line from i to j, and
- * a cell cut by the interface has the heat capacity of its parts.
+ * K = sqrt(k_x k_y).  Between two materials K follows from the resistances in series along the line from i to j, with
+ * that of the contact, and a cell cut by the interface has the heat capacity of its parts.  With a contact resistance
+ * T jumps within a cut cell, so each particle has the heat capacity of its own material up to the interface.
  *
  * Exact: for linear T, and for x^2 + y^2 in the metric, since sum_j A_ij d_ij = 2 d V_i; not for x^2 - y^2 and x y.
  * Conservation: the fluxes of a pair are equal and opposite to the bit, so heat is conserved to round-off.
@@ -68,7 +69,7 @@ static double pair_conductivity(const struct problem *p, int dim, double x, doub
     double ka = conductivity(&p->material[a], dim), kb = conductivity(&p->material[b], dim);
     if (a == b) return ka;
     double la = fabs(p->interface - x), lb = fabs(p->interface - there);
-    return (la + lb) / (la / ka + lb / kb);
+    return (la + lb) / (la / ka + lb / kb + p->resistance);
 }
 
 static int no_cell(const struct neighbourhood *nb, struct failure *why) {

@@ -34,10 +34,25 @@ int assembly_create(struct assembly *m, const struct problem *p, const struct op
     return STATUS_OK;
 }
 
+/* J m^-3 K^-1, with a contact resistance: the heat capacity of its own material in cell i and in those beside it on
+ * the other side, over the volume of cell i.  T jumps within a cut cell. */
+static double own_rho_c(const struct assembly *m, size_t i) {
+    const struct voronoi *v = &m->mesh;
+    const int of = layout_material(m->p, m->c->x[i]);
+    double volume = v->volume[i] * (of ? v->beyond[i] : 1 - v->beyond[i]);
+    for (size_t k = v->begin[i]; k < v->begin[i + 1]; k++) {
+        const size_t j = v->point[k];
+        if (j < v->n && layout_material(m->p, m->c->x[j]) != of)
+            volume += v->volume[j] * (of ? v->beyond[j] : 1 - v->beyond[j]);
+    }
+    return m->p->material[of].rho_c * volume / v->volume[i];
+}
+
 /* J m^-3 K^-1, heat capacity of the cell of particle i. */
 static double rho_c_of(const struct assembly *m, size_t i) {
     const struct problem *p = m->p;
     if (!m->mesh.volume || p->materials < 2) return layout_rho_c(p, m->cell, m->c->x[i]);
+    if (p->resistance > 0) return own_rho_c(m, i);
     double beyond = m->mesh.beyond[i];
     return (1 - beyond) * p->material[0].rho_c + beyond * p->material[1].rho_c;
 }

@@ -152,7 +152,20 @@ double layout_beyond(const struct problem *p, double width, double x) {
     return part < 1e-9 ? 0 : part > 1 - 1e-9 ? 1 : part;
 }
 
+double layout_part(const struct problem *p, double width, double x, double *middle) {
+    const int m = layout_material(p, x);
+    const double apart = fmax(0, m ? x - p->interface : p->interface - x), edge = m ? 1 - 1e-9 : 1 + 1e-9;
+    *middle = x;
+    if (!(apart < edge * width)) return width;
+    const double part = width / 2 + apart;
+    *middle = p->interface + (m ? part : -part) / 2;
+    return part;
+}
+
 double layout_rho_c(const struct problem *p, double width, double x) {
+    double middle;
+    if (p->resistance > 0 && width > 0)
+        return p->material[layout_material(p, x)].rho_c * layout_part(p, width, x, &middle) / width;
     double part = layout_beyond(p, width, x);
     return part == 0 ? p->material[0].rho_c : (1 - part) * p->material[0].rho_c + part * p->material[1].rho_c;
 }

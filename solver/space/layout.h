@@ -46,7 +46,11 @@ int layout_material(const struct problem *p, double x);
  * the cell within round-off, or if the width is 0. */
 double layout_beyond(const struct problem *p, double width, double x);
 
-/* J m^-3 K^-1: average heat capacity of such a cell. */
+/* m: with a contact resistance, the width of its own material that a particle on a rod has (at x, in cells of this
+ * width): its cell, or up to the interface if it is the first one on its side, since T jumps there; *middle, m. */
+double layout_part(const struct problem *p, double width, double x, double *middle);
+
+/* J m^-3 K^-1: average heat capacity of such a cell, or of such a part, over the width of the cell. */
 double layout_rho_c(const struct problem *p, double width, double x);
 
 /* m: cell width of the particles on a lattice; 0 on clouds, in which each particle has one material. */

@@ -316,6 +316,11 @@ double sample_initial(const struct problem *p, enum sampling sampling, const dou
 
 double sample_cell(const struct problem *p, enum sampling sampling, const double *dx, const double *x) {
     double beyond = layout_beyond(p, dx[0], x[0]), heat = 0;
+    if (p->resistance > 0) {
+        double part[DIM_MAX] = {0}, middle[DIM_MAX] = {0};
+        part[0] = layout_part(p, dx[0], x[0], &middle[0]);
+        return sample_initial(p, sampling, part, middle);
+    }
     if (beyond == 0 || beyond == 1) return sample_initial(p, sampling, dx, x);
     for (int m = 0; m < 2; m++) {
         double part[DIM_MAX] = {0}, middle[DIM_MAX] = {0};

@@ -422,7 +422,9 @@ static void add_integrals(const struct problem *p, const struct mesh *m, size_t 
                             far * y[a] + near * (y[(a + 1) % 3] + y[(a + 2) % 3])};
             at[0] = (m->places.x[i] + at[0]) / m->scale[0];
             at[1] = p->dim == 2 ? (m->places.y[i] + at[1]) / m->scale[1] : 0;
-            double heat = third * p->material[layout_material(p, at[0])].rho_c;
+            const int of = layout_material(p, at[0]);
+            if (p->resistance > 0 && of != layout_material(p, m->c->x[i])) continue; /* T jumps */
+            double heat = third * p->material[of].rho_c;
             sum[0] += heat * p->initial(p, at), sum[1] += heat;
         }
     }

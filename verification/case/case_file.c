@@ -26,6 +26,7 @@ const char case_file_help[] =
     "  cells                    extent over dx (along y over dy, if given), rounded: along each axis\n"
     "  materials, interface     1; or 2, the second at x >= interface, m\n"
     "  interface_axis           y or z if the second is at y or z >= interface; not written for x\n"
+    "  contact_resistance       m^2 K/W, only if T jumps at the interface of a rod: by this times the heat flux\n"
     "  k_x, k_y, k_z, rho_c     W/(m K), J/(m^3 K): of each material\n"
     "  k_xy, k_xz, k_yz         W/(m K), only of a tensor that is not diagonal: heat flows by -K grad T.  A program\n"
     "                           for diagonal ones ends with exit status 77\n"
@@ -79,6 +80,7 @@ static void write_materials(const struct image *image, FILE *out) {
     if (p->materials == 2) fprintf(out, "interface = %.17g\n", p->interface);
     if (p->materials == 2 && image->interface_axis)
         fprintf(out, "interface_axis = %c\n", "xyz"[image->interface_axis]);
+    if (p->resistance > 0) fprintf(out, "contact_resistance = %.17g\n", p->resistance);
     for (int a = 0; a < p->dim; a++) {
         for (int m = 0; m < p->materials; m++) value[m] = p->material[m].k[a];
         write_list(out, axis[a], value, p->materials);

@@ -45,6 +45,9 @@ static char oracle[2048];
 static char k_law[16];
 static double k_0, k_beta, k_ref, k_n;
 
+/* two materials on a rod: the place of their interface, and its resistance, if there is one */
+static double interface, contact_resistance;
+
 static struct point *point; /* cells and frame */
 static int points, stride[3];
 
@@ -76,6 +79,8 @@ static void read_case(const char *path) {
         sscanf(line, "k_beta = %lf", &k_beta);
         sscanf(line, "k_ref = %lf", &k_ref);
         sscanf(line, "k_n = %lf", &k_n);
+        sscanf(line, "interface = %lf", &interface);
+        sscanf(line, "contact_resistance = %lf", &contact_resistance);
         sscanf(line, "oracle = %2047[^\n]", oracle);
         /* This code has rods, rectangles and boxes with walls: no round or periodic bodies. */
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
@@ -192,6 +197,8 @@ static void make_face(int c, int face, int e) {
         return;
     }
     if (!is_wall) resistance += width[d] / (2 * beyond->axis[d].k);
+    if (contact_resistance > 0 && (p->x[0] < interface) != (beyond->x[0] < interface))
+        resistance += contact_resistance;
     if (*k_law && is_wall)
         resistance = resistance_of_mean(p, width[d] / 2, beyond->axis[d].kind == HELD ? beyond->T : p->T);
     if (*k_law && !is_wall) resistance = resistance_of_mean(p, width[d], beyond->T);

@@ -51,6 +51,7 @@ dim, t_end = int(case["dim"]), float(case["t_end"])
 lo, hi = numbers(case["lo"]), numbers(case["hi"])
 n = [int(word) for word in case["cells"].split(",")]
 width = [(hi[d] - lo[d]) / n[d] for d in range(dim)]
+contact, interface = float(case.get("contact_resistance", 0)), float(case.get("interface", "nan"))
 
 # The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides
 # (drawn in cells.c).
@@ -98,6 +99,8 @@ for c in cells:
                 resistance += 1 / b if kind == COOLED else 0
             else:
                 resistance += width[d] / (2 * k[e][d])
+            if contact > 0 and (points[c][0] < interface) != (points[e][0] < interface):
+                resistance += contact
             faces[c].append((e, 1 / (resistance * width[d])))
     fastest = max(fastest, sum(k[c][d] / (width[d] ** 2 * rho_c[c]) for d in range(dim)))
 

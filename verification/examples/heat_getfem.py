@@ -12,7 +12,7 @@ gf.util_trace_level(0)
 
 
 def solve(case):
-    if {"shape", "k_law"} & case.keys() or {"periodic", "changing"} & {str(word) for word in case.values()}:
+    if {"shape", "k_law", "contact_resistance"} & case.keys() or {"periodic", "changing"} & {str(word) for word in case.values()}:
         raise heatladder.NotApplicable  # boxes with walls, and data that stay
     axes = "xyz"[:case.dim]
     mesh = gf.Mesh("cartesian", *[np.linspace(lo, hi, n + 1) for lo, hi, n in zip(case.lo, case.hi, case.cells)])

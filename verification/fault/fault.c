@@ -161,6 +161,15 @@ static int has_other_axis(const struct problem *p, int at) {
     return has_interface(p, at) && at > 0 && at < p->dim;
 }
 
+static int is_perfect(const struct problem *p, int at) {
+    return has_interface(p, at) && p->resistance == 0;
+}
+
+static int has_resistance(const struct problem *p, int at) {
+    (void)at;
+    return p->resistance > 0;
+}
+
 static int has_capacities(const struct problem *p, int at) {
     (void)at;
     return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
@@ -265,7 +274,7 @@ int fault_is_pace(const struct problem *p) {
 
 /* Whether there are two materials without sources, so that the fluxes determine the solution. */
 static int has_diffusivities(const struct problem *p, int at) {
-    return has_capacities(p, at) && fault_is_pace(p);
+    return is_perfect(p, at) && has_capacities(p, at) && fault_is_pace(p);
 }
 
 static int has_corner(const struct problem *p, int place) {
@@ -421,6 +430,14 @@ static void turned(struct faulty *f) {
     f->across = f->fault.at, f->by_steps = 1;
 }
 
+static void perfect(struct faulty *f) {
+    f->problem.resistance = 0;
+}
+
+static void resistance(struct faulty *f) {
+    f->problem.resistance *= fmax(0, 1 + f->size);
+}
+
 static void mean(struct faulty *f) {
     f->mean = MEAN_ARITHMETIC;
 }
@@ -465,6 +482,7 @@ static void stretch(struct faulty *f, int a) {
     q->k_0 /= s * s;
     for (int hi = 0; hi < 2; hi++) q->robin[2 * a + hi] /= s;
     for (int k = 0; k < q->jumps[a]; k++) q->jump[a][k] = f->centre[a] + (q->jump[a][k] - f->centre[a]) / s;
+    if (a == 0) q->resistance *= s;
     if (a == 0) q->interface = f->centre[0] + (q->interface - f->centre[0]) / s;
 }
 

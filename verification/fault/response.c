@@ -109,7 +109,9 @@ static int solve(const struct faulty *with, double dx, double fourier, struct fi
                         .fourier = fourier,
                         .stepper = fourier > 0 ? STEPPER_EULER : STEPPER_RKL2,
                         .sampling = p->jumps[0] + p->jumps[1] + p->jumps[2] ? SAMPLING_CELL : SAMPLING_POINT,
-                        .mean = p->k_law && with->mean != MEAN_HARMONIC ? MEAN_KIRCHHOFF : with->mean,
+                        .mean = p->k_law && with->mean != MEAN_HARMONIC ? MEAN_KIRCHHOFF
+                                : with->right->resistance > 0           ? MEAN_SERIES
+                                                                        : with->mean,
                         .domain = DOMAIN_WHOLE};
     return method_solve(method_find("ftcs"), p, &o, f, &ignored);
 }
@@ -183,21 +185,35 @@ static double *place(const struct faulty *with, const struct field *f, size_t i,
     return x;
 }
 
-static void along_rod(const struct faulty *with, const double *x, const double *D, size_t n, const struct field *f,
-                      double *out) {
+/* At the points from `from` to `to`. */
+static void along_part(const struct faulty *with, const double *x, const double *D, size_t n, double from, double to,
+                       const struct field *f, double *out) {
     const gsl_interp_type *type = with->right->materials == 2 ? gsl_interp_steffen : gsl_interp_cspline;
     gsl_spline *spline = gsl_spline_alloc(type, n);
     gsl_interp_accel *near = gsl_interp_accel_alloc();
     gsl_spline_init(spline, x, D, n);
     for (size_t i = 0; i < f->n; i++) {
-        double to[DIM_MAX];
-        place(with, f, i, to);
-        double at = fmin(fmax(to[0], x[0]), x[n - 1]);
+        double point[DIM_MAX], there = place(with, f, i, point)[0];
+        if (!(there >= from && there < to)) continue;
+        double at = fmin(fmax(there, x[0]), x[n - 1]);
         out[i] = gsl_spline_eval(spline, at, near);
-        if (at != to[0]) out[i] += (to[0] - at) * gsl_spline_eval_deriv(spline, at, near);
+        if (at != there) out[i] += (there - at) * gsl_spline_eval_deriv(spline, at, near);
     }
     gsl_interp_accel_free(near);
     gsl_spline_free(spline);
+}
+
+/* With a contact resistance D jumps at the interface, so each side has a spline of its own. */
+static void along_rod(const struct faulty *with, const double *x, const double *D, size_t n, const struct field *f,
+                      double *out) {
+    enum { LEAST = 3 }; /* points for Steffen's spline */
+    const struct problem *p = with->right;
+    size_t below = 0;
+    while (p->resistance > 0 && below < n && x[below] < p->interface) below++;
+    const int jumps = below >= LEAST && n - below >= LEAST;
+    if (jumps) along_part(with, x, D, below, -INFINITY, p->interface, f, out);
+    if (!jumps) below = 0;
+    along_part(with, x + below, D + below, n - below, jumps ? p->interface : -INFINITY, INFINITY, f, out);
 }
 
 static void in_plane(const struct faulty *with, double *const x[2], const double *D, const int n[2],

@@ -89,7 +89,10 @@ static int solve(const struct experiment *e, struct result *out, struct field *f
     *f = (struct field){0};
     struct experiment used = *e;
     struct time_step stepping;
-    if (used.options.mean == MEAN_AUTO) used.options.mean = used.problem.k_law ? MEAN_KIRCHHOFF : MEAN_HARMONIC;
+    if (used.options.mean == MEAN_AUTO)
+        used.options.mean = used.problem.k_law            ? MEAN_KIRCHHOFF
+                            : used.problem.resistance > 0 ? MEAN_SERIES
+                                                          : MEAN_HARMONIC;
     int status = (e->external ? run_program : time_step_solve)(&used, f, &stepping, &out->failure);
     out->options = used.options;
     out->time_error = stepping.time_error;

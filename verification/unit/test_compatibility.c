@@ -52,6 +52,8 @@ static const struct row {
     {"disc-mode ftcs --dx 0.1 --sampling cell", "--sampling cell: rings and rays take points; use point"},
     {"disc-mode ftcs --dx 0.1 --walls fixed", "--walls fixed: is for particles; use mirror"},
     {"disc-mode ftcs --dx 0.1 --stepper rk2", "--stepper rk2: a round body has euler and auto"},
+    {"rod-contact brookshaw --dx 0.1 --set R=1 --mean harmonic", "--mean harmonic: has no place for a contact res"},
+    {"rod-contact ftcs --dx 0.1 --set R=1 --mean arithmetic", "--mean arithmetic: has no place for a contact res"},
     {"rod-contact ftcs_flux --dx 0.1", "ftcs_flux: takes one material, the scene has two; use ftcs"},
     {"rod-contact ftcs --dx 0.1 --sampling spline", "--sampling spline: takes one material; use point or cell"},
     {"rod-contact ftcs --dx 0.1 --layout node", "--layout node: takes one material; use lattice"},

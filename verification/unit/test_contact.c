@@ -338,9 +338,9 @@ static struct result result_of(const char *line) {
 static void interface_at_round_off_changes_nothing(void **state) {
     (void)state;
     const char *const names[] = {"brookshaw --mean series", "brookshaw --mean harmonic", "ftcs --mean series",
-                                 "ftcs --mean arithmetic"};
+                                 "ftcs --mean arithmetic",  "brookshaw --set R=30",      "ftcs --set R=30"};
     const char *const places[] = {"1e-15", "-1e-15", "3e-16", "-1e-16"};
-    for (int m = 0; m < 4; m++)
+    for (int m = 0; m < 6; m++)
         for (int sampling = 0; sampling < 2; sampling++) {
             char line[200];
             const char *const words = "run rod-contact %s --dx 2/81 --fourier 0.15 --sampling %s --set x_c=%s";
@@ -355,8 +355,9 @@ static void interface_at_round_off_changes_nothing(void **state) {
 
 static void cut_cells_keep_heat_and_steady_profiles(void **state) {
     (void)state;
-    const char *const names[] = {"brookshaw", "ftcs --fourier 0.1"};
-    for (int m = 0; m < 2; m++) {
+    const char *const names[] = {"brookshaw", "ftcs --fourier 0.1", "brookshaw --set R=1.7",
+                                 "ftcs --fourier 0.1 --set R=1.7"};
+    for (int m = 0; m < 4; m++) {
         char line[200];
         snprintf(line, sizeof line, "run rod-contact %s --mean series --dx 2/57 --set x_c=0.0731", names[m]);
         assert_near(result_of(line).heat_drift, 0, 1e-12);

@@ -20,16 +20,29 @@ static const double forward[] = {-49.0 / 20, 6, -15.0 / 2, 20.0 / 3, -15.0 / 4, 
 
 static struct scene cases[64]; /* ended by a NULL name */
 
-/* Branches that the odd parameters miss: limits of a cooled wall, no waves, other kinds of walls. */
+/* Branches that the odd parameters miss: limits of a cooled wall, no waves, other kinds of walls, a
+ * contact that resists. */
 static const struct {
     const char *scene, *param;
     double value;
-} branch[] = {{"rod-cooling", "b", 0},         {"rod-cooling", "b", 1e5},    {"plate-cooling", "b", 0},
-              {"plate-cooling", "b", 1e5},     {"disc-mode", "mode", 0},     {"disc-mode", "wall", 1},
-              {"disc-mode", "wall", 2},        {"plane-contact", "mode", 0}, {"ball-mode", "l", 2},
-              {"ball-mode", "m", 0},           {"ball-mode", "wall", 1},     {"ball-mode", "wall", 2},
-              {"rod-driven", "omega", 0.03},   {"wave", "mode_z", 3},        {"front", "n", 1},
-              {"wall-kirchhoff", "beta", -0.4}};
+} branch[] = {{"rod-cooling", "b", 0},
+              {"rod-cooling", "b", 1e5},
+              {"plate-cooling", "b", 0},
+              {"plate-cooling", "b", 1e5},
+              {"disc-mode", "mode", 0},
+              {"disc-mode", "wall", 1},
+              {"disc-mode", "wall", 2},
+              {"plane-contact", "mode", 0},
+              {"ball-mode", "l", 2},
+              {"ball-mode", "m", 0},
+              {"ball-mode", "wall", 1},
+              {"ball-mode", "wall", 2},
+              {"rod-driven", "omega", 0.03},
+              {"wave", "mode_z", 3},
+              {"front", "n", 1},
+              {"wall-kirchhoff", "beta", -0.4},
+              {"rod-contact", "R", 7.3},
+              {"wall-composite", "R", 5.7}};
 
 static int list_cases(void **state) {
     (void)state;
@@ -220,11 +233,13 @@ static void flux_is_continuous_at_an_interface(void **state) {
         for (int side = 0; side < 2; side++) {
             double sign = side ? 1 : -1, sum = 0;
             for (int j = 0; j <= 6; j++)
-                sum += forward[j] * at(s, &p, (double[DIM_MAX]){c + sign * fmax(1e-15, j * d)}, t);
+                sum += forward[j] * at(s, &p, (double[DIM_MAX]){c + sign * fmax(2e-12, j * d)}, t);
             flux[side] = p.material[side].k[0] * sign * sum / d;
         }
         assert_near(flux[0], flux[1], 1e-8 * fabs(flux[0]));
         assert_near(at(s, &p, (double[DIM_MAX]){c - 1e-16}, t), at(s, &p, (double[DIM_MAX]){c}, t), 1e-14);
+        double fall = at(s, &p, (double[DIM_MAX]){c - 2e-12}, t) - at(s, &p, (double[DIM_MAX]){c}, t);
+        assert_near(fall, -p.resistance * flux[0], 1e-8 * p.resistance * fabs(flux[0]) + 1e-11);
         assert_order(fabs(flux[0]), >, 1e-3);
     }
 }
@@ -365,6 +380,7 @@ static int power_of(const char *unit, struct powers by) {
     if (strcmp(unit, "m") == 0) return by.length;
     if (strcmp(unit, "s") == 0) return 2 * by.length;
     if (strcmp(unit, "W/m^2/K") == 0) return -by.length;
+    if (strcmp(unit, "m^2 K/W") == 0) return by.length;
     if (strcmp(unit, "W/m^2") == 0) return by.temperature - by.length;
     if (strcmp(unit, "m/s") == 0) return -by.length;
     if (strcmp(unit, "1/K") == 0) return -by.temperature;

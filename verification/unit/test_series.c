@@ -126,7 +126,7 @@ static void two_equal_layers_equal_one_wall(void **state) {
     (void)state;
     static struct layers_modes m;
     struct layers_contour c;
-    struct layers w = {{0.37, 0.73}, {0.9, 0.9}, {1.3, 1.3}, {0.2, 0.2}, {1.7, 1.7}};
+    struct layers w = {{0.37, 0.73}, {0.9, 0.9}, {1.3, 1.3}, {0.2, 0.2}, {1.7, 1.7}, 0};
     double kappa = 0.9 / 1.3, L = 0.37 + 0.73;
     for (double t = 0.0001; t < 1e12; t *= t < 1 ? 2.1 : 37) {
         layers_modes(&w, t, &m);
@@ -156,22 +156,26 @@ static void mode_bounds_cover_round_off_at_high_contrast(void **state) {
           {28178606.143624965, 8.8172876823339544e-05},
           {1.9063131695087671e-07, 1.3786323128614672e-06},
           {1, 0},
-          {0, 0}},
+          {0, 0},
+          0},
          2.6875696469190628e-15,
          7.8652204406060016e-07},
-        {{{0.057, 0.943}, {9348, 0.405}, {5090, 0.159}, {1, 0}, {0, 0}}, 5.1e-5, 0.75},
-        {{{0.0566, 0.943}, {8.74e7, 0.164}, {2.59e7, 0.0252}, {1, 0}, {0, 0}}, 2.04e-5, 0.283},
-        {{{0.943, 0.0566}, {0.164, 8.74e7}, {0.0252, 2.59e7}, {0, 1}, {0, 0}}, 2.04e-5, -0.283},
+        {{{0.057, 0.943}, {9348, 0.405}, {5090, 0.159}, {1, 0}, {0, 0}, 0}, 5.1e-5, 0.75},
+        {{{0.0566, 0.943}, {8.74e7, 0.164}, {2.59e7, 0.0252}, {1, 0}, {0, 0}, 0}, 2.04e-5, 0.283},
+        {{{0.943, 0.0566}, {0.164, 8.74e7}, {0.0252, 2.59e7}, {0, 1}, {0, 0}, 0}, 2.04e-5, -0.283},
+        {{{0.057, 0.943}, {9348, 0.405}, {5090, 0.159}, {1, 0}, {0, 0}, 0.7}, 0.021, 0.31},
+        {{{0.943, 0.0566}, {0.164, 87}, {0.0252, 26}, {0.3, 1}, {0, 0}, 1.3e-4}, 0.0071, -0.083},
+        {{{0.4, 0.6}, {1, 1.7}, {1.3, 0.9}, {1, 0}, {0, 0}, 4300}, 0.011, -0.0003},
     };
     static struct layers_modes m;
     struct layers_contour c;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 7; i++) {
         layers_modes(&trial[i].w, trial[i].t, &m);
         layers_contour(&trial[i].w, trial[i].t, &c);
         struct curve e = layers_contour_at(&c, trial[i].x), f = layers_modes_at(&m, trial[i].x);
         assert_near(f.at.value, e.at.value, f.at.error + e.at.error);
-        if (i > 0) assert_near(f.at.value, 0, f.at.error);
-        if (i > 1) assert_order(f.at.error, <, 1000 * fabs(f.at.value)); /* the bound is not idle */
+        if (i > 0 && i < 4) assert_near(f.at.value, 0, f.at.error);
+        if (i > 1 && i < 4) assert_order(f.at.error, <, 1000 * fabs(f.at.value)); /* the bound is not idle */
     }
 }
 
@@ -181,7 +185,7 @@ static void modes_of_two_layers_are_complete(void **state) {
     (void)state;
     static struct layers_modes m;
     for (double contrast = 1e-6; contrast < 2e6; contrast *= 10) {
-        struct layers w = {{0.4, 0.6}, {1, contrast}, {1.3, contrast * 0.7}, {0, 0}, {1, 0}};
+        struct layers w = {{0.4, 0.6}, {1, contrast}, {1.3, contrast * 0.7}, {0, 0}, {1, 0}, 0};
         layers_modes(&w, 1e-3, &m);
         double sum = 0.4 * sqrt(1.3) + 0.6 * sqrt(0.7);
         assert_order(m.n, >, 20);
