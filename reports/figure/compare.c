@@ -5,7 +5,7 @@
 #include "references/scene.h"
 #include "reports/figure/document.h"
 #include "reports/figure/figure.h"
-#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
 #include "verification/judge/slope.h"
 #include "reports/figure/published.h"
 

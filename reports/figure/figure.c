@@ -4,7 +4,7 @@
 
 #include "references/scene.h"
 #include "reports/figure/reading.h"
-#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
 #include "verification/text/output.h"
 
 #include <math.h>

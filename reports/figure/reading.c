@@ -3,7 +3,7 @@
 #include "reports/figure/reading.h"
 
 #include "verification/judge/ladder.h"
-#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
 #include "verification/stability/step_limit.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"

@@ -8,7 +8,7 @@
 #include "solver/space/operator.h"
 #include "verification/stability/step_limit.h"
 #include "reports/ledger/claims.h"
-#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
 #include "verification/judge/judge.h"
 #include "verification/judge/slope.h"
 #include "reports/figure/published.h"

@@ -5,7 +5,7 @@
 /* Pamplona 2019, section 6 and Table 1: the runs on the plate and their errors. */
 
 #include "reports/ledger/claims.h"
-#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
 
 /* PLATE_SPH has the cubic kernel of the first author's public code (github, almeriopamplona/msph, twoDimensionalSPH),
  * PLATE_PRINTED the quartic one of the paper. */

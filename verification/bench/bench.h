@@ -4,7 +4,7 @@
 
 /* Error against cost: every candidate on a ladder of one scene, each rung timed several times. */
 
-#include "verification/judge/result.h"
+#include "verification/judge/run.h"
 
 struct experiment;
 

@@ -12,7 +12,7 @@
 #include "verification/judge/self_difference.h"
 #include "verification/text/progress.h"
 #include "verification/judge/run.h"
-#include "verification/judge/semidiscrete.h"
+#include "verification/judge/time_step.h"
 
 #include <float.h>
 #include <math.h>

@@ -4,7 +4,7 @@
 
 #include "verification/case/experiment.h"
 #include "verification/judge/judge.h"
-#include "verification/judge/result.h"
+#include "verification/judge/run.h"
 #include "verification/judge/slope.h"
 #include "verification/text/verdict.h"
 #include "verification/judge/window.h"
@@ -14,7 +14,7 @@
  *
  * A ladder in space has several --dx; its errors are relative to the exact solution.  A ladder in time has one --dx
  * and several --dt or --fourier; its errors are relative to the solution of the particles' semi-discrete equations
- * (semidiscrete.h), so they contain no spatial error. */
+ * (time_step.h), so they contain no spatial error. */
 
 struct ladder {
     struct ladder_rungs asked;

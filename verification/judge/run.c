@@ -1,19 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One run: scene -> field -> norms. */
+/* One run: scene -> field -> norms; its result as text; the run of a command line. */
 #include "verification/judge/run.h"
-#include "verification/solve/program.h"
 
 #include "references/mapping.h"
 #include "references/scene.h"
 #include "solver/particles/particles.h"
 #include "solver/time/stepper.h"
+#include "solver/words.h"
 #include "verification/case/experiment.h"
 #include "verification/judge/derived.h"
 #include "verification/judge/time_step.h"
+#include "verification/solve/program.h"
+#include "verification/text/json.h"
 
 #include <float.h>
 #include <math.h>
 #include <omp.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -170,4 +173,170 @@ int run_warm_up(const struct experiment *e, struct failure *why) {
         field_free(&field);
     } while (!status && omp_get_wtime() - start < 0.1);
     return status;
+}
+
+/* ---- Results ---- */
+
+/* Options without meaning for the method are null, so a table shows no kernel for finite differences. */
+
+int result_accepts(const struct result *r, const char *option) {
+    return words_among(r->method->accepts, option);
+}
+
+int result_grows(const struct result *r) {
+    return r->growth * r->t_end > M_LN2;
+}
+
+void result_warn(const struct result *r) {
+    if (!result_grows(r)) return;
+    fprintf(stderr,
+            "heatladder: warning: dx = %g m: a mode grows at %.4g s^-1 at any time step, %.3g times in %.6g s; the "
+            "error may be that of this mode: use less --jitter or another method\n",
+            r->options.dx, r->growth, exp(r->growth * r->t_end), r->t_end);
+}
+
+static void options_json(const struct result *r, struct json *j) {
+    const struct options *o = &r->options;
+    json_text(j, "kernel", result_accepts(r, "kernel") ? kernel_words[o->kernel] : NULL);
+    json_number(j, "h", o->h > 0 ? o->h : NAN);
+    json_number(j, "order", result_accepts(r, "order") && o->order ? (double)o->order : NAN);
+    json_text(j, "stepper", result_accepts(r, "stepper") ? stepper_words[o->stepper] : NULL);
+    json_text(j, "layout", result_accepts(r, "layout") ? layout_words[o->layout] : NULL);
+    json_number(j, "jitter", o->layout == LAYOUT_JITTER ? o->jitter : 0);
+    json_whole(j, "seed", (long long)o->seed);
+    json_text(j, "sampling", result_accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
+    json_text(j, "walls", result_accepts(r, "walls") ? walls_words[o->walls] : NULL);
+    json_text(j, "mean", result_accepts(r, "mean") ? mean_words[o->mean] : NULL);
+    json_text(j, "cross", result_accepts(r, "cross") ? cross_words[o->cross] : NULL);
+    json_text(j, "domain", domain_words[o->domain]);
+    json_text(j, "volume", result_accepts(r, "volume") ? volume_words[o->volume] : NULL);
+}
+
+static void errors_json(const struct result *r, struct json *j) {
+    for (int k = 0; k < NORM_QUANTITY; k++) json_number(j, norm_keys[k], r->error[k]);
+    json_whole(j, "left_out_points", (long long)r->left_out);
+    if (r->derived_name) {
+        json_add(j, "quantity_name %s|quantity %g|quantity_exact %g|quantity_error %g", r->derived_name, r->derived,
+                 r->derived_exact, r->error[NORM_QUANTITY]);
+    }
+}
+
+static void shape_json(const struct result *r, struct json *j) {
+    json_add(j, "min [K] %g|max [K] %g|overshoot [K] %g|undershoot [K] %g|variation [K] %g", r->shape.min,
+             r->shape.max, r->shape.overshoot, r->shape.undershoot, r->shape.variation);
+    json_number(j, "checkerboard [K]", r->shape.checkerboard);
+    json_number(j, "heat_drift", r->heat_drift);
+}
+
+void result_json(const struct result *r, struct json *j) {
+    json_add(j, "scene %s|method %s", r->scene->name, r->method->name);
+    options_json(r, j);
+    json_number(j, "dx [m]", r->options.dx);
+    json_text(j, "failure", r->failure.status ? r->failure.text : NULL);
+    if (r->failure.status) {
+        json_number(j, "error_l1", NAN);
+        return;
+    }
+    json_add(j, "dt [s] %g|fourier %g|steps %lld|stages %d", r->dt, r->fourier, r->steps, r->stages);
+    json_number(j, "saving_over_euler", r->saving);
+    json_add(j, "t_end [s] %g|particles %zu", r->t_end, r->particles);
+    errors_json(r, j);
+    json_add(j, "time_error %g|growth [1/s] %g|reference_error %g", r->time_error, r->growth, r->reference_error);
+    shape_json(r, j);
+    json_add(j, "seconds %g|step_seconds %g|updates %lld|search_updates %lld|interactions %lld", r->cost.seconds,
+             r->cost.step_seconds, r->cost.updates, r->search_updates, r->cost.interactions);
+    json_add(j, "work %g|bytes %zu", r->cost.work, r->cost.bytes);
+}
+
+void result_describe(const struct result *r, char *text, size_t size) {
+    const struct options *o = &r->options;
+    char kernel[64] = "", jitter[48] = "";
+    if (!*r->method->accepts) {
+        snprintf(text, size, "%s %s: %s, t = %g s", r->scene->name, r->method->name, r->method->about, r->t_end);
+        return;
+    }
+    if (result_accepts(r, "kernel")) {
+        char h[24] = ""; /* a refused run has no value of h */
+        if (o->h > 0) snprintf(h, sizeof h, ", h/dx %g", o->h);
+        snprintf(kernel, sizeof kernel, "%s kernel%s, ", kernel_words[o->kernel], h);
+    }
+    if (o->layout == LAYOUT_JITTER) snprintf(jitter, sizeof jitter, " %g (seed %lu)", o->jitter, o->seed);
+    if (o->layout == LAYOUT_RELAXED) snprintf(jitter, sizeof jitter, " (seed %lu)", o->seed);
+    snprintf(text, size, "%s %s: %s%s%s, %s samples, %s walls, %s in time, t = %g s", r->scene->name, r->method->name,
+             kernel, layout_words[o->layout], jitter, sampling_words[o->sampling], walls_words[o->walls],
+             stepper_words[o->stepper], r->t_end);
+}
+
+/* ---- Commands ---- */
+
+static int read_list(struct command_run *run, const char *format, va_list arguments) {
+    *run = (struct command_run){0};
+    struct failure *why = &run->result.failure;
+    int length = vsnprintf(run->command, sizeof run->command, format, arguments);
+    if (length < 0 || (size_t)length >= sizeof run->command)
+        return refuse(why, STATUS_INPUT, "the command '%.60s...' is too long", run->command);
+    return command_read(run->command, &run->typed, why);
+}
+
+int command_run_list(struct command_run *run, const char *format, va_list arguments) {
+    int status = read_list(run, format, arguments);
+    return status || strcmp(run->typed.syntax->name, "run") != 0 ? status : command_run_solve(run);
+}
+
+int command_run_read(struct command_run *run, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    int status = read_list(run, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+int command_run_solve(struct command_run *run) {
+    return run_experiment(&run->typed.experiment, &run->result, &run->field);
+}
+
+int command_run_line(struct command_run *run, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    int status = command_run_list(run, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+int command_run_check(const struct command_run *run, struct failure *why) {
+    const struct failure *failure = &run->result.failure;
+    if (!failure->status) return STATUS_OK;
+    return refuse(why, failure->status, "heatladder %.100s: %.300s", run->command, failure->text);
+}
+
+int command_run_note(const struct command_run *run, struct failure *any) {
+    struct failure why;
+    int status = command_run_check(run, &why);
+#pragma omp critical(command_run_note)
+    if (status) *any = why;
+    return status;
+}
+
+double command_run_error(const struct command_run *run, int decimals, double late) {
+    const struct experiment *e = &run->typed.experiment;
+    const struct field *f = &run->field;
+    double apart = 0, whole = 0, unit = pow(10, -decimals), t = f->time + late;
+    for (size_t i = 0; i < f->n; i++) {
+        double x[DIM_MAX], w = f->weight ? f->weight[i] : 1;
+        field_place(f, i, x);
+        double T = e->scene->published ? e->scene->published(&e->problem, x, t) : command_run_exact(run, x, t);
+        if (decimals) T = unit * round(T / unit);
+        apart += w * fabs(f->T[i] - T);
+        whole += w * fabs(T);
+    }
+    return apart / whole;
+}
+
+double command_run_exact(const struct command_run *run, const double x[2], double t) {
+    return scene_exact(run->typed.experiment.scene, &run->typed.experiment.problem, x, t).temperature;
+}
+
+void command_run_free(struct command_run *run) {
+    field_free(&run->field);
+    command_free(&run->typed);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A command line that is run and kept: its failure, and its error against a later or a rounded solution. */
-#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
 
 #include "references/scene.h"
 #include "solver/status.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Options that do not go together are refused: one command for each row of the tables of the particles and of the
  * finite differences. */
-#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>

@@ -12,7 +12,6 @@
 #include "solver/differences/ftcs.h"
 #include "solver/space/sample.h"
 #include "verification/case/command.h"
-#include "verification/judge/result.h"
 #include "verification/judge/run.h"
 
 #include "verification/unit/odd_problems.h"

@@ -5,7 +5,7 @@
 #include "solver/time/stepper.h"
 #include "solver/time/products.h"
 #include "solver/space/operator.h"
-#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"

@@ -4,7 +4,7 @@
 #include "reports/figure/reading.h"
 #include "reports/pamplona/xi.h"
 
-#include "verification/judge/command_run.h"
+#include "verification/judge/run.h"
 #include "verification/unit/near.h"
 
 #include <string.h>

@@ -7,7 +7,7 @@
 #include "solver/space/operator.h"
 #include "verification/case/command.h"
 #include "verification/judge/run.h"
-#include "verification/judge/semidiscrete.h"
+#include "verification/judge/time_step.h"
 
 #include "verification/unit/near.h"
 

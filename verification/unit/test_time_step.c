@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The choice of a time step, for methods with prescribed errors. */
-#include "verification/judge/command_run.h"
 #include "verification/judge/run.h"
 #include "verification/judge/time_step.h"
 
