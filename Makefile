@@ -351,14 +351,14 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, every s
 	scripts/plot $(BENCH) reports/bench/error_time.gp; \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
-# PEERS='getdp scipy': keys of scripts/peers.txt, for both; without it, all.
+# PEERS='getfem scipy': keys of scripts/peers.txt, for both; without it, all.  ROWS='contact/*': those of the battery.
 setup-peers: ## Install public codes from Debian's packages: those of PEERS, or all
 	$(Q)scripts/setup-peers $(PEERS)
 
 codes: all ## Judge the public codes that are installed (PEERS, or all) and write reports/out/codes.html
 	@mkdir -p $(OUT)
 	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES)
-	$(Q)scripts/codes $(BUILD)/heatladder $(BUILD) $(OUT) $(PEERS)
+	$(Q)$(if $(ROWS),ROWS='$(ROWS)' )scripts/codes $(BUILD)/heatladder $(BUILD) $(OUT) $(PEERS)
 
 league: all ## Time public codes (make setup-peers): error against seconds, beside ours
 	@mkdir -p $(OUT)/league

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import re
 import shutil
@@ -10,10 +11,11 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time as clock
 import traceback
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Callable, Dict, List, NoReturn, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, NoReturn, Optional, Sequence, Tuple, Union
 
 from .library import HeatladderError, exact, solve
 from .points import columns_of, numbers_of, numpy, rows_of, shaped
@@ -24,6 +26,7 @@ __version__ = "4.0.0"
 
 NOT_APPLICABLE = 77  # exit status of a program for a case that it does not support
 LONG = 10000  # points of an answer that is written as .npy
+_asked = [0.0]  # seconds in `reference`, which are not those of a solve
 
 Solve = Callable[["Case"], Tuple[Any, Any]]
 
@@ -74,6 +77,23 @@ class Case(Dict[str, Any]):
     def width(self) -> List[float]:
         """The width of a cell along each axis, m."""
         return [(hi - lo) / n for lo, hi, n in zip(self.lo, self.hi, self.cells)]
+
+    @property
+    def is_plain(self) -> bool:
+        """A box with walls, without data that change in time, k(T), a tensor k or a resistance between materials."""
+        more = {"shape", "k_law", "k_xy", "contact_resistance"}
+        return not (more & self.keys() or {"periodic", "changing"} & {str(word) for word in self.values()})
+
+    @property
+    def sides(self) -> Iterator[Tuple[int, str, float, str]]:
+        """The sides of a box: axis (0, 1, 2), "lo" or "hi", coordinate, "dirichlet", "neumann", "robin" or "periodic"."""
+        for d in range(self["dim"]):
+            for end, places in (("lo", self.lo), ("hi", self.hi)):
+                yield d, end, places[d], str(self[f"side_{'xyz'[d]}_{end}"]).split(",")[0]
+
+    def steps(self, dt: float) -> int:
+        """The number of equal time steps: those of the case's dt where it has one, else of dt at most."""
+        return round(self["t_end"] / self["dt"]) if "dt" in self else math.ceil(self["t_end"] / dt)
 
 
 def program() -> str:
@@ -128,9 +148,11 @@ def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
     table = "\n".join(",".join(repr(float(x)) for x in [*row, *(column[i] for column in cells)])
                       for i, row in enumerate(rows))
     words = scene["oracle"] if isinstance(scene, Case) else scene
+    began = clock.perf_counter()
     answer = subprocess.run(
         [program(), "reference", *words.split(), "--points", "-", "--time", repr(float(time)), "--what", what],
         input=",".join(header) + "\n" + table + "\n", stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    _asked[0] += clock.perf_counter() - began
     if answer.returncode:
         raise HeatladderError(answer.stderr.strip())
     lines = answer.stdout.splitlines()
@@ -141,8 +163,8 @@ def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
     return {name: shaped(column, shape) for name, column in list(zip(names, columns))[dim:]}
 
 
-def _write(case: Case, points: Any, T: Any, out: str) -> None:
-    """Writes an answer as text, or as NumPy's .npy if it is long."""
+def _write(case: Case, points: Any, T: Any, out: str, seconds: Optional[float] = None) -> None:
+    """Writes an answer as text, or as NumPy's .npy if it is long; text has the seconds of the solve."""
     (rows, _), values = rows_of(points, case["dim"]), numbers_of(T)
     if len(rows) != len(values):
         raise ValueError(f"solve returned {len(rows)} points and {len(values)} temperatures")
@@ -151,6 +173,8 @@ def _write(case: Case, points: Any, T: Any, out: str) -> None:
             numpy.save(f, numpy.ascontiguousarray(numpy.column_stack([rows, values])))
         return
     with open(out, "w", encoding="utf-8") as f:
+        if seconds is not None:
+            print(f"# seconds = {seconds:.6g}", file=f)
         print(",".join(["x", "y", "z"][:case["dim"]] + ["T"]), file=f)
         for row, value in zip(rows, values):
             print(*(float(x) for x in row), float(value), sep=",", file=f)
@@ -160,7 +184,9 @@ def solve_case(solve: Solve, case_path: str, out: str) -> int:
     """Runs `solve` on a case file and writes its answer; returns the exit status of a program."""
     try:
         given = case(case_path)
-        _write(given, *solve(given), out)
+        began, _asked[0] = clock.perf_counter(), 0
+        points, T = solve(given)
+        _write(given, points, T, out, clock.perf_counter() - began - _asked[0])
     except NotApplicable:
         return NOT_APPLICABLE
     except Exception:
