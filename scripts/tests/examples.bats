@@ -82,5 +82,5 @@ with_module() { # module, example
 @test "make codes and setup-peers refuse a code that scripts/peers.txt does not have" {
     needs python3
     expect 1 'cubes: not in scripts/peers.txt, which has c fortran' python3 "$tree/scripts/codes" "$program" build out cubes
-    expect 2 "'cubes' is none of: awk c" "$tree/scripts/setup-peers" cubes
+    expect 2 "'cubes' is none of: awk .* voro" "$tree/scripts/setup-peers" cubes
 }
