@@ -108,6 +108,18 @@ static void add_graded(struct cubature_knots *knots, int axis, double at) {
     knots->knot[axis][k].graded = 1;
 }
 
+/* Data that jump along curves: the midpoint rule, whose error is 1/POINTS^(3/2) of the jump or less. */
+static double mean_of_points(const struct problem *p, const double *lo, const double *hi) {
+    enum { POINTS = 32 };
+    double sum = 0;
+    for (int k = 0; k < POINTS * POINTS; k++) {
+        double x[DIM_MAX] = {lo[0] + (hi[0] - lo[0]) * (k % POINTS + 0.5) / POINTS,
+                             lo[1] + (hi[1] - lo[1]) * (k / POINTS + 0.5) / POINTS};
+        sum += p->initial(p, x);
+    }
+    return sum / (POINTS * POINTS);
+}
+
 /* Average over the part of the body from lo to hi.  The data of a scene may have a kink at an interface, and on a rod
  * or in the plane a peak in the middle. */
 static double mean(const struct problem *p, int interface_axis, const double *lo, const double *hi) {
@@ -115,6 +127,7 @@ static double mean(const struct problem *p, int interface_axis, const double *lo
     double volume = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (p->dim == 3 ? hi[2] - lo[2] : 1);
     double part = p->shape ? shape_clipped(p, lo, hi) / volume : 1;
     if (part < 1 - 1e-9 && part > 1e-12) return clipped(p, lo, hi);
+    if (p->jumps_on_curves) return mean_of_points(p, lo, hi);
     for (int a = 0; a < p->dim; a++) {
         for (int j = 0; j < p->jumps[a]; j++) knots.knot[a][knots.count[a]++].at = p->jump[a][j];
         if (p->dim < 3) add_graded(&knots, a, (p->lo[a] + p->hi[a]) / 2);
@@ -171,10 +184,10 @@ static void flux(const struct columns_row *row, double *value) {
     int material = of->materials == 2 && at[0] >= of->interface; /* the gradient is that of the same material */
     int along = mapping_axis(m, row->axis);
     double into = mapping_scale(m) * (m->against[row->axis] ? -1 : 1);
-    double sum =
-        kirchhoff_along(of, &of->material[material], along, row->exact.temperature) * row->exact.gradient[along];
-    for (int a = 0; a < of->dim; a++)
-        if (a != along) sum += of->cross[problem_pair(a, along)] * row->exact.gradient[a];
+    double K[DIM_MAX][DIM_MAX], sum = 0;
+    problem_tensor(of, at, K);
+    if (!of->direction) K[along][along] = kirchhoff_along(of, &of->material[material], along, row->exact.temperature);
+    for (int a = 0; a < of->dim; a++) sum += K[along][a] * row->exact.gradient[a];
     *value = row->exact.no_value ? NAN : -into * sum;
 }
 
@@ -202,11 +215,24 @@ static void source(const struct columns_row *row, double *value) {
 }
 
 static void conductivity(const struct columns_row *row, double *value) {
+    double K[DIM_MAX][DIM_MAX];
     *value = row->p->material[material_at(row)].k[row->axis];
+    if (!row->p->direction) return;
+    problem_tensor(row->p, row->x, K);
+    *value = K[row->axis][row->axis];
 }
 
 static void cross(const struct columns_row *row, double *value) {
-    *value = row->p->cross[row->axis];
+    static const int first[] = {0, 0, 1}, second[] = {1, 2, 2};
+    double K[DIM_MAX][DIM_MAX];
+    problem_tensor(row->p, row->x, K);
+    *value = K[first[row->axis]][second[row->axis]];
+}
+
+static void direction(const struct columns_row *row, double *value) {
+    double b[DIM_MAX] = {NAN, NAN, NAN};
+    if (row->p->direction) row->p->direction(row->p, row->x, b);
+    *value = b[row->axis];
 }
 
 static void rho_c(const struct columns_row *row, double *value) {
@@ -276,6 +302,8 @@ static const struct columns_kind kinds[] = {
     {"k_xy", "k_xy", 0, 0, 2, cross, 0, 1, NULL, NULL},
     {"k_xz", "k_xz", 0, 0, 3, cross, 1, 1, NULL, NULL},
     {"k_yz", "k_yz", 0, 0, 3, cross, 2, 1, NULL, NULL},
+    {"b_x", "b_x", 0, 0, 2, direction, 0, 1, NULL, NULL},
+    {"b_y", "b_y", 0, 0, 2, direction, 1, 1, NULL, NULL},
     {"rho_c", "rho_c", 0, 0, 0, rho_c, 0, 1, NULL, NULL},
     {"flux_x", "flux_x", 1, 0, 0, flux, 0, 1, NULL, NULL},
     {"flux_y", "flux_y", 1, 0, 2, flux, 1, 1, NULL, NULL},

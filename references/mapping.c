@@ -131,6 +131,14 @@ static double source_at(const struct problem *p, const double *x, double t) {
     return mapping_scale(&i->map) * i->of->source_at(i->of, at, t);
 }
 
+static void direction(const struct problem *p, const double *x, double b[DIM_MAX]) {
+    const struct image *i = p->data;
+    double at[DIM_MAX], own[DIM_MAX] = {0};
+    mapping_to_scene(&i->map, p->dim, x, at);
+    i->of->direction(i->of, at, own);
+    mapping_to_case(&i->map, p->dim, own, b);
+}
+
 /* k as a function of s T + c. */
 static void image_law(struct image *image) {
     struct problem *of = &image->problem;
@@ -173,6 +181,7 @@ void mapping_image(const struct mapping *m, const struct problem *p, struct imag
     if (p->source) of->source = source;
     if (p->source_rate) of->source_rate = source_rate;
     if (p->source_at) of->source_at = source_at;
+    if (p->direction) of->direction = direction;
     if (p->k_law) image_law(image);
     for (int a = 0; a < p->dim; a++) image_axis(image, a);
     if (p->materials == 2 && m->against[image->interface_axis]) {

@@ -110,7 +110,9 @@ static struct approx flux_density(const void *data, const double *along) {
         double q = law->exchange(p, f->side, 1, wall, e.temperature, &b);
         return (struct approx){per * q, fabs(b) * e.error_bound};
     }
-    double k = kirchhoff_along(p, material_at(p, x), a, e.temperature);
+    double k = kirchhoff_along(p, material_at(p, x), a, e.temperature), K[DIM_MAX][DIM_MAX];
+    problem_tensor(p, x, K);
+    if (p->direction) k = K[a][a]; /* T is uniform along such a side */
     for (int d = 0; d < p->dim; d++) {
         if (!p->shape && d != a) continue;
         slope += p->shape ? x[d] / p->radius[s] * e.gradient[d] : e.gradient[d];

@@ -37,7 +37,18 @@ const char *problem_nonlinearity(const struct problem *p) {
 }
 
 int problem_has_cross(const struct problem *p) {
-    return p->cross[0] != 0 || p->cross[1] != 0 || p->cross[2] != 0;
+    return p->direction || p->cross[0] != 0 || p->cross[1] != 0 || p->cross[2] != 0;
+}
+
+void problem_tensor(const struct problem *p, const double *x, double K[DIM_MAX][DIM_MAX]) {
+    double along[DIM_MAX] = {0};
+    if (p->direction) p->direction(p, x, along);
+    for (int a = 0; a < DIM_MAX; a++)
+        for (int b = 0; b < DIM_MAX; b++) {
+            double constant = a == b ? p->material[0].k[a] : p->cross[problem_pair(a, b)];
+            double field = (a == b ? p->k_perp : 0) + (p->k_par - p->k_perp) * along[a] * along[b];
+            K[a][b] = !p->direction ? constant : a != b && p->is_diagonal ? 0 : field;
+        }
 }
 
 double problem_diffusivity(const struct problem *p) {

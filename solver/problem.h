@@ -35,6 +35,11 @@ struct problem {
     double resistance; /* m^2 K W^-1, of the interface of a rod: T falls by resistance times the flux; 0: none */
     struct material material[MATERIAL_MAX];
     double cross[DIM_MAX]; /* W m^-1 K^-1: k_xy, k_xz, k_yz of one material; 0: a diagonal tensor */
+    /* Conduction along a field: sets the unit vector b at x, K = k_perp I + (k_par - k_perp) b b^T.  NULL: K is
+     * constant.  material[0].k is then k_par, the largest. */
+    void (*direction)(const struct problem *p, const double *x, double b[DIM_MAX]);
+    double k_par, k_perp; /* W m^-1 K^-1 */
+    int is_diagonal;      /* 1: K of a field without its cross terms, a fault of a code; ftcs only */
     enum k_law k_law;
     int k_frozen;                   /* 1: k of the initial temperature at all times, a fault of a code; ftcs only */
     double k_0;                     /* W m^-1 K^-1; times K^-k_n of a power law */
@@ -47,6 +52,7 @@ struct problem {
     double jump[DIM_MAX][JUMP_MAX]; /* m, ascending */
     int kinked[DIM_MAX];            /* by axis: 1 if the initial data have a kink at the plane x_a = kink[a] */
     double kink[DIM_MAX];           /* m */
+    int jumps_on_curves;            /* 1 if the initial data of a plane jump elsewhere */
     int mirror[DIM_MAX];            /* 1 if the whole problem is even about the middle of that axis */
     const struct problem *whole;    /* this is its upper half, quarter or octant; NULL for a whole problem */
     const void *data;               /* context of the functions below if no scene made them; NULL for a scene */
@@ -105,6 +111,9 @@ static inline int problem_pair(int a, int b) {
 
 /* 1 if K is not diagonal. */
 int problem_has_cross(const struct problem *p);
+
+/* K of one material at x, W m^-1 K^-1. */
+void problem_tensor(const struct problem *p, const double *x, double K[DIM_MAX][DIM_MAX]);
 
 /* Largest diffusivity over all materials and axes, m^2 s^-1. */
 double problem_diffusivity(const struct problem *p);

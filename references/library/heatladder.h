@@ -95,8 +95,8 @@ struct hl_points {
 /* Quantities of the scene at the points and the time t >= 0 s, as `heatladder reference --what` prints them.  `what`
  * is a comma-separated list of
  *
- *     temperature error_bound flux_x flux_y flux_z initial initial_mean source k_x k_y k_z k_xy k_xz k_yz rho_c
- *     wall wall_x wall_y wall_z nearest
+ *     temperature error_bound flux_x flux_y flux_z initial initial_mean source k_x k_y k_z k_xy k_xz k_yz b_x b_y
+ * rho_c wall wall_x wall_y wall_z nearest
  *
  * (`heatladder reference --help` defines them).  Value j of point i is value[j * n + i]; a wall has three values, a
  * nearest wall eight, ten in space, all else one.  A status. */

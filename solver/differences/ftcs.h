@@ -47,7 +47,8 @@ struct ftcs_grid {
     double *weight;                 /* K J^-1, by cell: 1/(rho_c V) */
     ptrdiff_t along[DIM_MAX], base; /* offsets in C and weight, as stride and corner; 0 where they do not vary */
     double *cross;                  /* K s^-1, by cell without ghosts: fluxes of a tensor (ftcs_cross.c); else NULL */
-    double *corner_flux[DIM_MAX];   /* K m s^-1, by corner; NULL: fluxes at faces */
+    double *flux[DIM_MAX];          /* K m s^-1, by corner or lower face of each cell */
+    double *K[DIM_MAX][DIM_MAX];    /* m^2 s^-1, there; NULL: constant */
     double *law;                    /* k(T): theta, W m^-1, or with other means than kirchhoff k, W m^-1 K^-1 */
 
     double rho_c;       /* J m^-3 K^-1; the smaller of two materials */
@@ -91,6 +92,7 @@ double ftcs_face_wall(const struct ftcs_grid *g, enum side s, double T, double k
 void ftcs_face_refresh(struct ftcs_grid *g, const double *T);
 
 /* ftcs_cross.c: the fluxes of a tensor from the state T with its ghosts, into g->cross. */
+void ftcs_cross_make(struct ftcs_grid *g);
 void ftcs_cross(const struct ftcs_grid *g, double *T);
 
 /* ftcs_walls.c: the ghosts of a side (all but its data), their data at time t, the ghosts of T. */

@@ -24,90 +24,144 @@
  *   space         9/8 (K_xx + K_yy + K_zz);          4/27;
  *                 corner 4/3 K_most                  corner 3/8
  *
- * Restrictions: one material in a rectangle or a box with periodic sides. */
+ * K that varies is that of the faces, or of the corners.  With k_par along b and T constant along b, data of the wave
+ * number q across b at the angle theta decay, where they should stay, at the rate k_par/rho_c times
+ *
+ *   face    q^4 dx^2/16 sin^2(2 theta)
+ *   corner  q^6 dx^4/2304 sin^2(4 theta)
+ *
+ * from the two formulas above: fluxes at corners leak at fourth order.
+ *
+ * Beyond a held wall T is 2 T_wall - T at the mirror image: of second order whatever K, since T is uniform along the
+ * wall.  Steps of a K that varies are those of the largest K.
+ *
+ * Restrictions: one material in a rectangle or a box with periodic or uniform held sides. */
 #include "solver/differences/ftcs.h"
 
-/* m^2 s^-1 */
-static double kappa_of(const struct ftcs_grid *g, int a, int b) {
-    const struct problem *p = g->p;
-    return (a == b ? p->material[0].k[a] : p->cross[problem_pair(a, b)]) / p->material[0].rho_c;
+#include "solver/status.h"
+
+/* ---- K ---- */
+
+static double *reserve(struct ftcs_grid *g, size_t count) {
+    g->held += count;
+    return xcalloc(count, sizeof(double));
 }
 
-/* The ghosts of edges and corners: periodic images axis by axis, each over the ghosts of the axes before. */
+/* Loops over the cells and the first ones beyond the upper ends of the axes in `more`; 0 at the end. */
+static int next(const struct ftcs_grid *g, unsigned more, int i[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) {
+        if (++i[a] < g->n[a] + (int)(more >> a & 1)) return 1;
+        i[a] = 0;
+    }
+    return 0;
+}
+
+/* Row a of K, at the lower face of each cell along a, or at its lower corner. */
+static void make_row(struct ftcs_grid *g, int a) {
+    const struct problem *p = g->p;
+    const int corner = g->o->cross == CROSS_CORNER;
+    const unsigned all = (1u << p->dim) - 1, more = corner ? all : 1u << a;
+    int i[DIM_MAX] = {0};
+    for (int b = 0; b < p->dim; b++) g->K[a][b] = reserve(g, g->size);
+    do {
+        double x[DIM_MAX], K[DIM_MAX][DIM_MAX];
+        for (int b = 0; b < DIM_MAX; b++) x[b] = g->first[b] + (i[b] - (more >> b & 1) / 2.) * g->d[b];
+        problem_tensor(p, x, K);
+        for (int b = 0; b < p->dim; b++) g->K[a][b][ftcs_at(g, i)] = K[a][b] / g->rho_c;
+    } while (next(g, more, i));
+}
+
+void ftcs_cross_make(struct ftcs_grid *g) {
+    g->cross = reserve(g, (size_t)g->n[0] * (size_t)g->n[1] * (size_t)g->n[2]);
+    for (int a = 0; a < g->p->dim; a++) g->flux[a] = reserve(g, g->size);
+    for (int a = 0; a < g->p->dim && g->p->direction; a++) make_row(g, a);
+}
+
+/* ---- Ghosts ---- */
+
+static int inside(int i, int n) {
+    return i < 0 ? 0 : i < n ? i : n - 1;
+}
+
+/* The ghosts of edges and corners: images axis by axis, each of the ghosts of the axes before too.  A held side is
+ * uniform beyond its ends. */
 static void close_corners(const struct ftcs_grid *g, double *T) {
-    for (int a = 0; a < g->p->dim; a++) {
-        int n[DIM_MAX], i[DIM_MAX] = {0};
-        ptrdiff_t first = 0;
-        for (int b = 0; b < DIM_MAX; b++) {
-            const int ghosts = b < a ? g->reach : 0; /* of the axes before */
-            n[b] = b == a ? 1 : g->n[b] + 2 * ghosts;
-            first += (b < g->p->dim ? g->reach - ghosts : 0) * g->stride[b];
-        }
-        for (i[2] = 0; i[2] < n[2]; i[2]++)
-            for (i[1] = 0; i[1] < n[1]; i[1]++)
-                for (i[0] = 0; i[0] < n[0]; i[0]++) {
-                    double *cell = T + first + i[0] * g->stride[0] + i[1] * g->stride[1] + i[2] * g->stride[2];
-                    cell[-g->stride[a]] = cell[(g->n[a] - 1) * g->stride[a]];
-                    cell[g->n[a] * g->stride[a]] = cell[0];
-                }
+    static const int others[DIM_MAX][2] = {{1, 2}, {0, 2}, {0, 1}};
+    for (int s = 0; s < 2 * g->p->dim; s++) {
+        const struct ftcs_side *e = &g->side[s];
+        const int more[2] = {others[s / 2][0] < s / 2, others[s / 2][1] < s / 2};
+        for (int j = -more[1]; j < e->n[1] + more[1]; j++)
+            for (int i = -more[0]; i < e->n[0] + more[0]; i++) {
+                const int place = inside(i, e->n[0]) + inside(j, e->n[1]) * e->n[0];
+                const ptrdiff_t at = i * e->step[0] + j * e->step[1];
+                T[e->ghost[0] + at] = e->sign[place] * T[e->mirror[0] + at] + e->offset[place];
+            }
     }
 }
 
-/* K s^-1: the fluxes of K_ab, a != b, through the faces of the cell at T.  Its own differences cancel. */
-static double faces(const struct ftcs_grid *g, double K[][DIM_MAX], const double *T) {
-    double sum = 0;
-    for (int a = 0; a < g->p->dim; a++)
-        for (int b = 0; b < g->p->dim; b++) {
-            const ptrdiff_t s = g->stride[a], t = g->stride[b];
-            if (a != b) sum += K[a][b] * ((T[s + t] - T[s - t]) - (T[t - s] - T[-s - t])) / (4 * g->d[a] * g->d[b]);
-        }
-    return sum;
+/* ---- Fluxes ---- */
+
+/* K m^-1: the derivatives at the lower face along a of the cell at T. */
+static void face_slopes(const struct ftcs_grid *g, int a, const double *T, double slope[DIM_MAX]) {
+    const ptrdiff_t s = g->stride[a];
+    for (int b = 0; b < g->p->dim; b++) {
+        const ptrdiff_t t = g->stride[b];
+        slope[b] = a == b ? (T[0] - T[-s]) / g->d[a] : ((T[t] - T[-t]) + (T[t - s] - T[-t - s])) / (4 * g->d[b]);
+    }
 }
 
-/* K m s^-1: K grad T at the corners, by the lowest of the cells around each. */
-static void corner_fluxes(const struct ftcs_grid *g, double K[][DIM_MAX], const double *T, const ptrdiff_t *around) {
+/* K m^-1: the derivatives at the lower corner of the cell at T. */
+static void corner_slopes(const struct ftcs_grid *g, const ptrdiff_t *around, const double *T,
+                          double slope[DIM_MAX]) {
     const int dim = g->p->dim, count = 1 << dim;
-    int n[DIM_MAX], i[DIM_MAX] = {0};
-    for (int a = 0; a < DIM_MAX; a++) n[a] = g->n[a] + (a < dim);
-    for (i[2] = 0; i[2] < n[2]; i[2]++)
-        for (i[1] = 0; i[1] < n[1]; i[1]++)
-            for (i[0] = 0; i[0] < n[0]; i[0]++) {
-                const ptrdiff_t at = ftcs_at(g, i) - around[count - 1];
-                const double *low = T + at;
-                double slope[DIM_MAX] = {0};
-                for (int cell = 0; cell < count; cell++)
-                    for (int a = 0; a < dim; a++) slope[a] += cell >> a & 1 ? low[around[cell]] : -low[around[cell]];
-                for (int a = 0; a < dim; a++) {
-                    double sum = 0;
-                    for (int b = 0; b < dim; b++) sum += K[a][b] * slope[b] * 2 / (count * g->d[b]);
-                    g->corner_flux[a][at] = sum;
-                }
-            }
+    const double *low = T - around[count - 1];
+    for (int a = 0; a < dim; a++) {
+        slope[a] = 0;
+        for (int k = 0; k < count; k++) slope[a] += k >> a & 1 ? low[around[k]] : -low[around[k]];
+        slope[a] *= 2 / (count * g->d[a]);
+    }
 }
 
-/* K s^-1: the divergence of those of the cell `at`. */
-static double corners(const struct ftcs_grid *g, ptrdiff_t at, const ptrdiff_t *around) {
+/* Component a of K grad T, at lower faces or corners. */
+static void fluxes(const struct ftcs_grid *g, int a, const ptrdiff_t *around, const double *T) {
+    const struct problem *p = g->p;
+    const int corner = g->o->cross == CROSS_CORNER;
+    double constant[DIM_MAX][DIM_MAX], slope[DIM_MAX];
+    int i[DIM_MAX] = {0};
+    if (!p->direction) problem_tensor(p, p->lo, constant);
+    do {
+        const ptrdiff_t at = ftcs_at(g, i);
+        double sum = 0;
+        if (corner)
+            corner_slopes(g, around, T + at, slope);
+        else
+            face_slopes(g, a, T + at, slope);
+        for (int b = 0; b < p->dim; b++) sum += (g->K[a][b] ? g->K[a][b][at] : constant[a][b] / g->rho_c) * slope[b];
+        g->flux[a][at] = sum;
+    } while (next(g, corner ? (1u << p->dim) - 1 : 1u << a, i));
+}
+
+/* K s^-1: the divergence of the fluxes around the cell `at`. */
+static double divergence(const struct ftcs_grid *g, ptrdiff_t at, const ptrdiff_t *around) {
     const int dim = g->p->dim, count = 1 << dim;
     double sum = 0;
     for (int a = 0; a < dim; a++) {
-        const double *q = g->corner_flux[a] + at - around[count - 1];
+        const double *q = g->flux[a] + at;
         double out = 0;
         for (int k = 0; k < count; k++) out += k >> a & 1 ? q[around[k]] : -q[around[k]];
-        sum += out * 2 / (count * g->d[a]);
+        sum += g->o->cross == CROSS_CORNER ? out * 2 / (count * g->d[a]) : (q[g->stride[a]] - q[0]) / g->d[a];
     }
     return sum;
 }
 
 void ftcs_cross(const struct ftcs_grid *g, double *T) {
-    const int dim = g->p->dim, corner = g->o->cross == CROSS_CORNER;
-    double K[DIM_MAX][DIM_MAX], *rate = g->cross;
     ptrdiff_t around[1 << DIM_MAX] = {0}; /* offsets of the cells around a corner */
+    double *rate = g->cross;
     int i[DIM_MAX] = {0};
-    for (int k = 0; k < 1 << dim; k++)
-        for (int a = 0; a < dim; a++) around[k] += (k >> a & 1) * g->stride[a];
-    for (int k = 0; k < dim * dim; k++) K[k / dim][k % dim] = kappa_of(g, k / dim, k % dim);
+    for (int k = 0; k < 1 << g->p->dim; k++)
+        for (int a = 0; a < g->p->dim; a++) around[k] += (k >> a & 1) * g->stride[a];
     close_corners(g, T);
-    if (corner) corner_fluxes(g, K, T, around);
-    do *rate++ = corner ? corners(g, ftcs_at(g, i), around) : faces(g, K, T + ftcs_at(g, i));
+    for (int a = 0; a < g->p->dim; a++) fluxes(g, a, around, T);
+    do *rate++ = divergence(g, ftcs_at(g, i), around);
     while (ftcs_next(g, i));
 }

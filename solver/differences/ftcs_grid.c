@@ -125,8 +125,7 @@ static void arrays_make(struct ftcs_grid *g) {
     if (states == 3) g->row = reserve(g, g->n[0]);
     for (int s = g->round && p->radius[0] == 0 ? X_HI : X_LO; s < 2 * (g->round ? 1 : p->dim); s++)
         ftcs_wall_make(g, (enum side)s);
-    if (problem_has_cross(p)) g->cross = reserve(g, cells);
-    for (int a = 0; a < p->dim && g->cross && g->o->cross == CROSS_CORNER; a++) g->corner_flux[a] = reserve(g, size);
+    if (problem_has_cross(p)) ftcs_cross_make(g);
     if (p->source || p->source_at) g->heating = reserve(g, cells);
     for (int k = 0; k < 2 && p->source_rate; k++) g->warming[k] = reserve(g, cells);
 }
@@ -194,23 +193,12 @@ void ftcs_free(struct ftcs_grid *g, int keep_T) {
     ftcs_round_free(g);
     g->held = g->size;
     for (int s = 0; s < SIDES; s++) free(g->side[s].sign), g->side[s].sign = g->side[s].offset = NULL;
-    double **spent[] = {&g->C[0],
-                        &g->C[1],
-                        &g->C[2],
-                        &g->weight,
-                        &g->law,
-                        &g->cross,
-                        &g->corner_flux[0],
-                        &g->corner_flux[1],
-                        &g->corner_flux[2],
-                        &g->state[0],
-                        &g->state[1],
-                        &g->state[2],
-                        &g->before,
-                        &g->row,
-                        &g->heating,
-                        &g->warming[0],
-                        &g->warming[1]};
+    double **spent[] = {&g->C[0],     &g->C[1],   &g->C[2], &g->weight,  &g->law,        &g->state[0],   &g->state[1],
+                        &g->state[2], &g->before, &g->row,  &g->heating, &g->warming[0], &g->warming[1], &g->cross};
     for (size_t k = 0; k < sizeof spent / sizeof *spent; k++) free(*spent[k]), *spent[k] = NULL;
+    for (int a = 0; a < DIM_MAX; a++) {
+        free(g->flux[a]), g->flux[a] = NULL;
+        for (int b = 0; b < DIM_MAX; b++) free(g->K[a][b]), g->K[a][b] = NULL;
+    }
     if (!keep_T) free(g->T);
 }

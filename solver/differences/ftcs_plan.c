@@ -32,6 +32,8 @@ static int check_options(const char *method, int with_fluxes, const struct probl
     const int staged = !round && (o->stepper == STEPPER_RK2 || o->stepper == STEPPER_RKL2);
     const int steps = matched || staged || o->stepper == STEPPER_AUTO || o->stepper == STEPPER_EULER;
     const int tensor = problem_has_cross(p);
+    int open = 0; /* sides that are neither held nor periodic */
+    for (int s = 0; s < 2 * p->dim; s++) open |= p->side[s] == NEUMANN || p->side[s] == ROBIN;
     int robin = 0;
     for (int s = 0; s < 2 * p->dim && !round; s++) robin |= p->side[s] == ROBIN;
     const struct {
@@ -66,7 +68,10 @@ static int check_options(const char *method, int with_fluxes, const struct probl
         {!law && o->mean == MEAN_KIRCHHOFF, "mean", "kirchhoff", "is for k(T); use harmonic, arithmetic or series"},
         {tensor && (with_fluxes || round || two || law || p->source || p->source_at), NULL, NULL,
          "takes k_xy with one material in a box, without a source; use ftcs, so_ssph"},
-        {tensor && !periodic, NULL, NULL, "takes k_xy without walls"},
+        {tensor && open, NULL, NULL,
+         "takes k_xy between held or periodic sides: on an insulated one n.K grad T is 0, not n.grad T"},
+        {tensor && node, "layout", layout, "k_xy is for the points of cells; use lattice"},
+        {tensor && o->walls != WALLS_MIRROR, "walls", walls, "k_xy needs mirror images beyond a wall; use mirror"},
         {tensor && matched, "stepper", stepper, "k_xy has an error of its own, which no step cancels; use euler"},
         {!tensor && o->cross, "cross", cross_words[o->cross], "k_xy is 0 in this scene; omit it"},
         {robin && node, "layout", layout, "a Robin wall is midway between a point and its ghost; use lattice"},

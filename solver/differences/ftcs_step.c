@@ -80,9 +80,9 @@ INLINE const double *row_base(const struct sweep *w, ptrdiff_t at, ptrdiff_t n, 
     return row;
 }
 
-/* F of an axis: h kappa/d^2; 0 where fluxes at corners have all of it. */
+/* F of an axis: h kappa/d^2; 0 where ftcs_cross.c has the fluxes. */
 INLINE double factor(const struct sweep *w, int a) {
-    if (w->g->cross && w->g->o->cross == CROSS_CORNER) return 0;
+    if (w->g->cross) return 0;
     const double d = w->g->reach * w->g->d[a];
     return w->g->kappa[a] * w->h / (d * d);
 }

@@ -93,7 +93,7 @@ static double offset(const struct ftcs_grid *g, enum side s, int m, int place, c
     const double sign = e->sign[m * e->places + place], k = conducts(g, s, place, (int)s / 2), apart = e->apart[m];
     if (kind == ROBIN || sign == 0) return (1 - sign) * value;
     double T = kind == DIRICHLET ? 2 * value : value / k * apart;
-    return g->round ? T : T + beyond(g, s, place, x, value, t, apart / 2) / k;
+    return g->round || problem_has_cross(g->p) ? T : T + beyond(g, s, place, x, value, t, apart / 2) / k;
 }
 
 /* Also widens the range of the data and the possible effect of fluxes. */

@@ -115,6 +115,8 @@ int particles_check(const struct problem *p, const struct options *o, const stru
         {s->isotropic && unequal, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
         {tensor && !s->tensor, METHOD, "a diagonal conductivity only, the scene has k_xy", "so_ssph or ftcs"},
         {tensor && law, METHOD, "a tensor that depends on temperature is not supported", "k_xy = 0"},
+        {p->direction && s->tensor, METHOD, "a field needs grad k, and walls that b crosses no mirror images",
+         "ftcs"},
         {tensor && !periodic, METHOD, "with k_xy the mirror image of T beyond a wall is no solution", "ftcs"},
         {p->resistance > 0 && (o->mean == MEAN_HARMONIC || o->mean == MEAN_ARITHMETIC), MEAN,
          "has no place for a contact resistance", "series"},

@@ -30,6 +30,10 @@ const char case_file_help[] =
     "  k_x, k_y, k_z, rho_c     W/(m K), J/(m^3 K): of each material\n"
     "  k_xy, k_xz, k_yz         W/(m K), only of a tensor that is not diagonal: heat flows by -K grad T.  A program\n"
     "                           for diagonal ones ends with exit status 77\n"
+    "  conductivity             field, in place of k_x, k_y and k_xy: K = k_perp I + (k_par - k_perp) b b^T with a "
+    "unit\n"
+    "                           vector b that varies; `reference` has k_x, k_y, k_xy, b_x and b_y at any point\n"
+    "  k_par, k_perp            W/(m K): along b and across\n"
     "  k_law                    only if k depends on T, with u = T - k_ref: linear, k = k_0 (1 + k_beta u); power,\n"
     "                           k = k_0 u^k_n, 0 for u <= 0.  k_x is then the largest k of the solution\n"
     "  k_0, k_beta, k_ref, k_n  W/(m K) (power: times K^-k_n), 1/K, K, 1: of that law\n"
@@ -81,11 +85,13 @@ static void write_materials(const struct image *image, FILE *out) {
     if (p->materials == 2 && image->interface_axis)
         fprintf(out, "interface_axis = %c\n", "xyz"[image->interface_axis]);
     if (p->resistance > 0) fprintf(out, "contact_resistance = %.17g\n", p->resistance);
-    for (int a = 0; a < p->dim; a++) {
+    if (p->direction) fprintf(out, "conductivity = field\nk_par = %.17g\nk_perp = %.17g\n", p->k_par, p->k_perp);
+    for (int a = 0; a < p->dim && !p->direction; a++) {
         for (int m = 0; m < p->materials; m++) value[m] = p->material[m].k[a];
         write_list(out, axis[a], value, p->materials);
     }
-    for (int k = 0; k < (p->dim == 3 ? 3 : 1) && problem_has_cross(p); k++) write_list(out, pair[k], &p->cross[k], 1);
+    for (int k = 0; k < (p->dim == 3 ? 3 : 1) && problem_has_cross(p) && !p->direction; k++)
+        write_list(out, pair[k], &p->cross[k], 1);
     for (int m = 0; m < p->materials; m++) value[m] = p->material[m].rho_c;
     write_list(out, "rho_c", value, p->materials);
     if (p->k_law == K_LINEAR)

@@ -16,7 +16,7 @@ function read_case(path,    line, equals, found) {
     while ((found = (getline line < path)) > 0) {
         equals = index(line, " = ")
         field[substr(line, 1, equals - 1)] = substr(line, equals + 3)
-        if (line ~ /^shape|^walls|^k_law|^contact_r|^dim = 3|= periodic/) exit 77 # steady rectangles of one k
+        if (line ~ /^shape|^walls|^k_law|^contact_r|^conductivity|^dim = 3|= periodic/) exit 77 # steady rectangles of one k
     }
     if (found < 0) stop("the case cannot be opened")
     dim = field["dim"] + 0

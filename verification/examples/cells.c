@@ -33,6 +33,7 @@ struct point {
         double kind, value, b; /* wall: b is the Robin coefficient */
     } axis[3];
     double conductance[6]; /* W m^-3 K^-1, to the neighbours at x low, x high, y low, ... */
+    double k_xy;           /* W m^-1 K^-1, of a field */
     double flux;           /* W m^-3, what walls of given flux add */
     double rate;           /* W m^-3 */
 };
@@ -44,6 +45,7 @@ static char oracle[2048];
 /* k that depends on T, if the case has a k_law: k_0 (1 + k_beta u) or k_0 u^k_n, u = T - k_ref */
 static char k_law[16];
 static double k_0, k_beta, k_ref, k_n;
+static char conductivity[16]; /* field: K is a tensor that varies */
 
 /* two materials on a rod: the place of their interface, and its resistance, if there is one */
 static double interface, contact_resistance;
@@ -81,6 +83,7 @@ static void read_case(const char *path) {
         sscanf(line, "k_n = %lf", &k_n);
         sscanf(line, "interface = %lf", &interface);
         sscanf(line, "contact_resistance = %lf", &contact_resistance);
+        sscanf(line, "conductivity = %15s", conductivity);
         sscanf(line, "oracle = %2047[^\n]", oracle);
         /* This code has rods, rectangles and boxes with walls: no round or periodic bodies. */
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
@@ -155,7 +158,7 @@ static void ask_scene(const char *path) {
     static const char *const axes[] = {"", "k_x,wall_x", "k_x,wall_x,k_y,wall_y",
                                        "k_x,wall_x,k_y,wall_y,k_z,wall_z"};
     char what[80];
-    snprintf(what, sizeof what, "initial_mean,source,rho_c,%s", axes[dim]);
+    snprintf(what, sizeof what, "initial_mean,source,rho_c,%s%s", axes[dim], *conductivity ? ",k_xy" : "");
     FILE *answers = ask(path, "0", what);
     for (struct point *p = point; p < point + points; p++) {
         for (int d = 0; d < dim; d++) next_number(answers); /* the point */
@@ -168,6 +171,7 @@ static void ask_scene(const char *path) {
             p->axis[d].value = next_number(answers);
             p->axis[d].b = next_number(answers);
         }
+        if (*conductivity) p->k_xy = next_number(answers);
     }
     if (pclose(answers)) stop("heatladder reference failed");
 }
@@ -202,6 +206,8 @@ static void make_face(int c, int face, int e) {
     if (*k_law && is_wall)
         resistance = resistance_of_mean(p, width[d] / 2, beyond->axis[d].kind == HELD ? beyond->T : p->T);
     if (*k_law && !is_wall) resistance = resistance_of_mean(p, width[d], beyond->T);
+    if (*conductivity) /* K at the face, the mean of both cells */
+        resistance = is_wall ? width[d] / (2 * beyond->axis[d].k) : 2 * width[d] / (p->axis[d].k + beyond->axis[d].k);
     if (is_wall && beyond->axis[d].kind == COOLED) resistance += 1 / beyond->axis[d].b;
     p->conductance[face] = 1 / (resistance * width[d]);
 }
@@ -223,12 +229,35 @@ static double make_faces(void) {
     return fastest;
 }
 
+/* The derivative along d in cell c, K m^-1; beyond a held wall T is 2 T_wall - T. */
+static double slope(int c, int d) {
+    double T[2];
+    for (int side = 0; side < 2; side++) {
+        int e = side ? c + stride[d] : c - stride[d];
+        T[side] = is_cell(e) ? point[e].T : 2 * point[e].T - point[c].T;
+    }
+    return (T[1] - T[0]) / (2 * width[d]);
+}
+
+/* W m^-3: the fluxes of k_xy through the faces of cell c, with the mean derivative of their two cells; none through
+ * a held wall, along which T is uniform. */
+static double cross_fluxes(int c) {
+    double sum = 0;
+    for (int d = 0; d < 2; d++)
+        for (int side = -1; side <= 1; side += 2) {
+            int e = c + side * stride[d];
+            double k_xy = (point[c].k_xy + point[e].k_xy) / 2;
+            if (is_cell(e)) sum += side * k_xy * (slope(c, 1 - d) + slope(e, 1 - d)) / 2 / width[d];
+        }
+    return sum;
+}
+
 /* One step of Euler's method: all rates first, then all temperatures. */
 static void step_by(double dt) {
     for (int c = 0; c < points; c++) {
         struct point *p = &point[c];
         if (!is_cell(c)) continue;
-        p->rate = p->source + p->flux;
+        p->rate = p->source + p->flux + (*conductivity ? cross_fluxes(c) : 0);
         for (int face = 0; face < 2 * dim; face++) {
             int distance = stride[face / 2];
             int e = face % 2 == 1 ? c + distance : c - distance;

@@ -55,7 +55,7 @@ contains
             case ('t_end'); read (text, *) t_end
             case ('source'); changing = text == 'changing'
             case ('oracle'); oracle = text
-            case ('shape', 'walls', 'k_law', 'contact_resistance'); stop 77 ! boxes with steady walls and k
+            case ('shape', 'walls', 'k_law', 'contact_resistance', 'conductivity'); stop 77 ! boxes with steady walls and k
             end select
             if (text == 'periodic') stop 77 ! with walls alone
         end do

@@ -45,7 +45,7 @@ if numel(args) != 2
 end
 field = read_case(args{1});
 dim = numbers(field.dim);
-if dim == 3 || any(isfield(field, {'shape', 'walls', 'k_law', 'contact_resistance'})) || any(strcmp(struct2cell(field), 'periodic'))
+if dim == 3 || any(isfield(field, {'shape', 'walls', 'k_law', 'contact_resistance', 'conductivity'})) || any(strcmp(struct2cell(field), 'periodic'))
     exit(77); % rods and rectangles with steady walls and k alone
 end
 lo = numbers(field.lo);

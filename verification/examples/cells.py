@@ -95,6 +95,9 @@ for c in cells:
                 beside.append((e, d, c))
             if on_side(e, d) and kind == FLUX:
                 continue
+            if "conductivity" in case:  # K at the face, the mean of both cells
+                faces[c].append((e, (2 * k[e][d] if on_side(e, d) else (k[c][d] + k[e][d]) / 2) / width[d] ** 2))
+                continue
             if on_side(e, d):
                 resistance += 1 / b if kind == COOLED else 0
             else:
@@ -104,14 +107,17 @@ for c in cells:
             faces[c].append((e, 1 / (resistance * width[d])))
     fastest = max(fastest, sum(k[c][d] / (width[d] ** 2 * rho_c[c]) for d in range(dim)))
 
-# A tensor: K_ab times the derivative along b is a flux across a, the mean over the two cells of a face.
-cross = reference.ask("0", ",".join(["k_xy", "k_xz", "k_yz"][:2 * dim - 3])) if "k_xy" in case else []
+# A tensor: K_ab times the derivative along b is a flux across a, the mean over the two cells of a face; none
+# through a held wall, along which T is uniform, and 2 T_wall - T beyond it.
+names = ["k_xy", "k_xz", "k_yz"][:2 * dim - 3]
+cross = reference.ask("0", ",".join(names)) if {"k_xy", "conductivity"} & case.keys() else []
 for c in cells if cross else []:
     for (a, b), way in itertools.product(itertools.permutations(range(dim), 2), (-1, 1)):
         e = beyond(c, a, way)
         K = (cross[c][a + b - 1] + cross[e][a + b - 1]) / 2
-        for x, side in itertools.product((c, e), (-1, 1)):
-            faces[c].append((beyond(x, b, side), way * side * K / (4 * width[a] * width[b])))
+        for x, side in itertools.product((c, e) if not on_side(e, a) else (), (-1, 1)):
+            f, g = beyond(x, b, side), way * side * K / (4 * width[a] * width[b])
+            faces[c] += [(f, 2 * g), (x, -g)] if on_side(f, b) else [(f, g)]
 
 
 def set_walls(values):

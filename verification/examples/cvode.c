@@ -72,6 +72,7 @@ static void read_case(const char *path) {
         /* This code has rods and rectangles with walls: neither round bodies nor periodic ones. */
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
         if (strncmp(line, "contact_resistance", 18) == 0) exit(NOT_APPLICABLE);
+        if (strncmp(line, "conductivity", 12) == 0) exit(NOT_APPLICABLE);
         if (strstr(line, "= periodic")) exit(NOT_APPLICABLE);
         if (dim == 3) exit(NOT_APPLICABLE);
     }

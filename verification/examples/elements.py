@@ -26,7 +26,7 @@ logging.disable()  # of what FEniCSx compiles
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
 if case["dim"] == "3" or "changing" in case.values() or "periodic" in case.values() \
-        or {"k_law", "contact_resistance"} & case.keys():
+        or {"k_law", "contact_resistance", "conductivity"} & case.keys():
     sys.exit(77)  # rods and plane bodies with walls, data that stay, and T without a jump
 is_round = "shape" in case
 

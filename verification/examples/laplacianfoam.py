@@ -18,7 +18,7 @@ with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
 if case["dim"] == "3" or case["materials"] != "1" or case["source"] != "no":
     sys.exit(77)
-if {"shape", "walls", "k_law", "contact_resistance"} & case.keys() or "periodic" in case.values():
+if {"shape", "walls", "k_law", "contact_resistance", "conductivity"} & case.keys() or "periodic" in case.values():
     sys.exit(77)
 
 

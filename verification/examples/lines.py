@@ -21,7 +21,7 @@ HELD, FLUX, COOLED = 1, 2, 3  # kinds of walls in the answers of `reference`
 
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
-if {"shape", "contact_resistance"} & case.keys() or case["dim"] == "3" or "periodic" in case.values():
+if {"shape", "contact_resistance", "conductivity"} & case.keys() or case["dim"] == "3" or "periodic" in case.values():
     sys.exit(77)  # rods and rectangles with walls alone
 
 

@@ -44,7 +44,7 @@ class Conduction(Equation):
 
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
-if "changing" in case.values() or {"dy", "shape", "k_law", "k_xy", "contact_resistance"} & case.keys():
+if "changing" in case.values() or {"dy", "shape", "k_law", "k_xy", "contact_resistance", "conductivity"} & case.keys():
     sys.exit(77)  # square cells in rods, rectangles and boxes, and data that stay
 
 

@@ -17,7 +17,7 @@ FLUX, COOLED = 2, 3  # kinds of walls in the answers of `reference`; 1: held
 
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
-if {"shape", "walls", "k_law", "contact_resistance"} & case.keys() or "periodic" in case.values():
+if {"shape", "walls", "k_law", "contact_resistance", "conductivity"} & case.keys() or "periodic" in case.values():
     sys.exit(77)  # boxes with steady walls
 
 

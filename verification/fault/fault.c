@@ -87,6 +87,10 @@ static const struct fault_places
                                      "k_xy, of three, were taken for 0", "k_xz, of three, were taken for 0",
                                      "k_yz, of three, were taken for 0"},
                "k_xy were another"},
+    fields = {FIELDS,
+              (const char *const[]){"b were turned by 90 degrees, or k_par and k_perp in each other's place",
+                                    "k_perp were lost", "heat were conducted by k_par in all directions"},
+              "the field were another"},
     materials = {MATERIAL_MAX, (const char *const[]){"first", "second"}, "a"};
 
 /* An axis: one, both of a plane or all of a box. */
@@ -135,11 +139,12 @@ static int differ_in_other(const struct problem *p, int at) {
 
 static int equal_in_pair(const struct problem *p, int at) {
     int a = first_of(at), b = second_of(at);
-    return has_pair(p, at) && p->lo[a] == p->lo[b] && p->hi[a] == p->hi[b];
+    return has_pair(p, at) && !p->direction && p->lo[a] == p->lo[b] && p->hi[a] == p->hi[b];
 }
 
 static int has_cross(const struct problem *p, int at) {
-    return at < 2 ? problem_has_cross(p) : p->dim == 3 && p->cross[at - 2] != 0;
+    return at < 2 ? problem_has_cross(p) && !(p->direction && p->k_par == p->k_perp)
+                  : p->dim == 3 && p->cross[at - 2] != 0;
 }
 
 static int has_source(const struct problem *p, int at) {
@@ -185,11 +190,11 @@ static int has_axis(const struct problem *p, int at) {
 }
 
 static int has_axis_of_its_own(const struct problem *p, int at) {
-    return p->dim > 1 && at < p->dim && !p->k_law; /* k would differ by axis */
+    return p->dim > 1 && at < p->dim && !p->k_law && !p->direction; /* k would differ by axis */
 }
 
 static int has_extent(const struct problem *p, int at) {
-    return is_axis(p, at) && !(p->k_law && p->dim > 1);
+    return is_axis(p, at) && !(p->k_law && p->dim > 1) && !p->direction;
 }
 
 static int has_jumps(const struct problem *p, int at) {
@@ -353,6 +358,7 @@ static void conductivity(struct faulty *f) {
     for (int m = 0; m < q->materials; m++)
         for (int a = 0; a < q->dim; a++) q->material[m].k[a] *= 1 + f->size;
     for (int k = 0; k < DIM_MAX; k++) q->cross[k] *= 1 + f->size;
+    q->k_par *= 1 + f->size, q->k_perp *= 1 + f->size;
     q->k_0 *= 1 + f->size;
 }
 
@@ -361,8 +367,23 @@ static void axis(struct faulty *f) {
 }
 
 static void cross(struct faulty *f) {
+    if (f->fault.at == 0) f->problem.is_diagonal = 1;
+    if (f->fault.at == 1) f->opposite = 1;
     for (int k = 0; k < DIM_MAX; k++)
         if (f->fault.at < 2 || f->fault.at - 2 == k) f->problem.cross[k] *= f->fault.at == 1 ? -1 : 0;
+}
+
+static int has_field(const struct problem *p, int at) {
+    return p->direction && p->k_par != p->k_perp && (at != FIELD_LOST || p->k_perp > 0);
+}
+
+/* In the plane K with the two exchanged is that of b turned by 90 degrees. */
+static void field(struct faulty *f) {
+    struct problem *q = &f->problem;
+    const double par = f->right->k_par;
+    if (f->fault.at == FIELD_TURNED) q->k_par = q->k_perp, q->k_perp = par;
+    if (f->fault.at == FIELD_LOST) q->k_perp = 0;
+    if (f->fault.at == FIELD_ALL) q->k_perp = par;
 }
 
 static void swap(struct faulty *f) {

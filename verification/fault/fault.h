@@ -58,6 +58,9 @@ enum { FAULT_BOTH_AXES = DIM_MAX, FAULT_ALL_AXES, FAULT_ALL_SIDES = SIDES, FAULT
 /* FAULT_LAW: k of the initial temperature, of k_ref, of a side; harmonic means. */
 enum { LAW_START, LAW_REF, LAW_SIDE, LAW_HARMONIC = LAW_SIDE + 4, LAWS };
 
+/* FAULT_FIELD */
+enum { FIELD_TURNED, FIELD_LOST, FIELD_ALL, FIELDS };
+
 /* Number of places of a kind. */
 int fault_places(enum fault_kind kind);
 

@@ -129,6 +129,12 @@ static double source_rate(const struct problem *p, const double *x) {
     return f->factor * f->source * f->right->source_rate(f->right, at);
 }
 
+static void direction(const struct problem *p, const double *x, double b[DIM_MAX]) {
+    const struct faulty *f = p->data;
+    f->right->direction(f->right, x, b);
+    if (f->opposite) b[1] = 0 - b[1];
+}
+
 int faulty_make(const struct problem *p, struct fault fault, double size, struct faulty *f) {
     if (!fault_applies(p, fault)) return 0;
     *f = (struct faulty){.problem = *p, .right = p, .fault = fault, .size = size, .mean = MEAN_SERIES};
@@ -144,6 +150,7 @@ int faulty_make(const struct problem *p, struct fault fault, double size, struct
     q->data = f;
     q->initial = initial;
     q->wall = wall;
+    if (p->direction) q->direction = direction;
     q->wall_rate = p->wall_rate && !f->frozen ? wall_rate : NULL;
     if (p->source || f->corner >= 0) q->source = source;
     q->source_rate = p->source_rate && !f->source_frozen ? source_rate : NULL;

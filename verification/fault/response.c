@@ -148,6 +148,8 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
     for (int i = few; i <= most; i++)
         if (i * longest >= least - 0.5 && i * longest <= most + 0.5 && fit(p, i) > best) best = fit(p, i), n = i;
     if (best < 0 || p->shape) return -1; /* rings do not form a lattice */
+    const double steps = p->t_end * problem_diffusivity(p) / (FOURIER * pow((p->hi[0] - p->lo[0]) / n, 2));
+    if (p->direction && steps > 1e4) return -1; /* minutes for each fault */
     struct field f;
     struct faulty none;
     make_none(p, &none);

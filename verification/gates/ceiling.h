@@ -73,6 +73,11 @@ double ceiling_front(const struct experiment *e, double width); /* heat of the t
 /* front with x0 >= L: the flux that a mean of k(T) misses, in units of the wave. */
 double ceiling_wave(const struct experiment *e, double units);
 
+/* ring, data=patch: fluxes at faces damp radial waves by kappa dx^2 sin^2(2 theta) q^4/16; an edge spreads by d =
+ * (kappa t dx^2 sin^2(2 theta)/16)^(1/4), and misses c d A of each edge, c the integral of |step - its image under
+ * exp(-q^4)|, 1.211. */
+double ceiling_patch(const struct experiment *e);
+
 /* wave: sum w (q.x)^4/24, times kappa and t, of the decayed wave; of any tensor. */
 double ceiling_tensor(const struct experiment *e);
 

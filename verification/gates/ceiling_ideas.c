@@ -44,6 +44,15 @@ double ceiling_tensor(const struct experiment *e) {
     return 2 / M_PI * fabs(off) * p->t_end * exp(-rate * p->t_end) * ceiling_param(e, "A") / ceiling_param(e, "Tm");
 }
 
+/* The mean of sqrt(|sin 2 theta|) is 0.763; each edge has the angle 2 half at first, and its heat after that. */
+double ceiling_patch(const struct experiment *e) {
+    const double kappa = ceiling_param(e, "k_par") / ceiling_param(e, "rho_c"), half = ceiling_param(e, "half");
+    const double width = 0.763 * pow(kappa * e->problem.t_end * sq(e->options.dx) / 16, 0.25),
+                 L = ceiling_param(e, "L");
+    const double edges = 2 * half * (ceiling_param(e, "r1") + ceiling_param(e, "r2"));
+    return 1.211 * ceiling_param(e, "A") * edges * width / (4 * L * L * ceiling_param(e, "Tm"));
+}
+
 /* ---- Two exact solutions ---- */
 
 /* The mean of |T of *q - T of *p| at their end times, divided by the mean of |T of *p|, at points of *p's box. */

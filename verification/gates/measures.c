@@ -178,6 +178,22 @@ OF_RUN(quantity_error, of.derived_name ? of.error[NORM_QUANTITY] : NAN)
 OF_RUN(checkerboard, of.shape.checkerboard)
 #undef OF_RUN
 
+/* The rate of the mode is that of the sum of T - T_wall times its initial data. */
+void measures_leak(const struct command *r, double lo, double hi, struct measured *m) {
+    const struct problem *p = &r->experiment.problem;
+    struct result of;
+    struct field f = {0};
+    double before = 0, after = 0, rate = 0;
+    if (measures_run(&r->experiment, &of, &f, m)) return;
+    for (size_t i = 0; i < f.n; i++) {
+        double x[DIM_MAX], start = p->initial(p, field_place(&f, i, x)) - p->held[0];
+        before += start * start, after += start * (f.T[i] - p->held[0]);
+    }
+    for (int a = 0; a < p->dim; a++) rate += pow(M_PI / (p->hi[a] - p->lo[a]), 2) / p->material[0].rho_c;
+    field_free(&f);
+    measures_judge(m, (log(before / after) / p->t_end / rate - p->k_perp) / p->k_par, lo, hi);
+}
+
 void measures_checkerboard_kept(const struct command *r, double lo, double hi, struct measured *m) {
     struct experiment early = r->experiment;
     struct result first, last;

@@ -751,8 +751,8 @@ static void refusals_state_the_reason(void **state) {
     refused(&method_ftcs, &rod, &chebyshev, STATUS_NOT_APPLICABLE, "finite differences have euler, rk2, rkl2");
     two.materials = 2, two.material[1] = two.material[0], two.interface = 0.3;
     refused(&method_ftcs_flux, &two, &plain, STATUS_NOT_APPLICABLE, "takes one material, the scene has two");
-    two = plane, two.cross[0] = 0.1;
-    refused(&method_ftcs, &two, &plain, STATUS_NOT_APPLICABLE, "takes k_xy without walls");
+    two = plane, two.cross[0] = 0.1, two.side[Y_LO] = NEUMANN;
+    refused(&method_ftcs, &two, &plain, STATUS_NOT_APPLICABLE, "takes k_xy between held or periodic sides");
     rod.wall_rate = hot_rate;
     refused(&method_ftcs, &rod, &matched, STATUS_NOT_APPLICABLE, "are derived for steady walls");
     shape_make_ball(&ball, 0.46);

@@ -98,6 +98,21 @@ static double twist(const struct scene *s, const struct problem *p, const double
     return sum / (d * d);
 }
 
+/* The divergence of K grad T of a field. */
+static double along_field(const struct scene *s, const struct problem *p, const double *x, double t, double d) {
+    double sum = 0;
+    for (int a = 0; a < p->dim; a++)
+        for (int i = -4; i <= 4; i++) {
+            double there[DIM_MAX] = {x[0], x[1], x[2]}, K[DIM_MAX][DIM_MAX];
+            there[a] += i * d;
+            struct exact e = scene_exact(s, p, there, t);
+            problem_tensor(p, there, K);
+            for (int b = 0; b < p->dim; b++)
+                sum += (i < 0 ? -1 : 1) * first_difference[abs(i)] * K[a][b] * e.gradient[b] / d;
+        }
+    return sum;
+}
+
 static double rate(const struct scene *s, const struct problem *p, const double *x, double t) {
     double d = 0.01 * t, sum = 0;
     for (int i = 1; i <= 4; i++) sum += first_difference[i] * (at(s, p, x, t + i * d) - at(s, p, x, t - i * d));
@@ -126,6 +141,7 @@ static void residual_of_the_equation_vanishes(void **state) {
                 for (int b = 0; b < d && problem_has_cross(&p); b++)
                     flow += 2 * p.cross[problem_pair(b, d)] * twist(s, &p, x, t, b, d, odd->step);
             }
+            if (p.direction) flow = along_field(s, &p, x, t, odd->step);
             flow += problem_source(&p, x, t);
             worst = fmax(worst, fabs(storage - flow));
             largest = fmax(largest, part);
@@ -264,6 +280,30 @@ static void second_form_agrees(void **state) {
         print_message("%-18s |exact - second| <= %.1e K, bound of exact <= %.1e K\n", s->name, worst, bound);
         assert_near(worst, 0, 1e-12 * s->odd.scale);
         assert_near(bound, 0, 1e-12 * s->odd.scale);
+    }
+}
+
+/* On circles of the patch, which jumps across two of them. */
+static void patch_is_a_rod_without_ends(void **state) {
+    (void)state;
+    struct problem p;
+    const struct scene *s = odd_find("ring", &p);
+    struct failure why;
+    p.param[3] = 1;
+    assert_int_equal(s->setup(&p, &why), 0);
+    unsigned long random = 23;
+    for (int trial = 0; trial < 200; trial++) {
+        double r = 0.53 + 0.29 * odd_random(&random), theta = 6.3 * odd_random(&random), d = 0.02;
+        double t = 3 * pow(odd_random(&random), 2), x[DIM_MAX] = {r * cos(theta), r * sin(theta)}, bend = 0;
+        struct exact e = scene_exact(s, &p, x, t), f = s->second(&p, x, t);
+        if (isfinite(f.error_bound)) assert_near(e.temperature, f.temperature, e.error_bound + f.error_bound);
+        assert_order(e.error_bound, <, 1e-11);
+        if (t < 0.4) continue; /* the spread is 0.16, eight steps */
+        for (int i = -4; i <= 4; i++) {
+            double there[DIM_MAX] = {r * cos(theta + i * d), r * sin(theta + i * d)};
+            bend += second_difference[abs(i)] * at(s, &p, there, t) / (d * d);
+        }
+        assert_near(rate(s, &p, x, t), p.k_par / p.material[0].rho_c / (r * r) * bend, 1e-4 * p.param[12]);
     }
 }
 
@@ -488,6 +528,7 @@ int main(void) {
         cmocka_unit_test(jump_belongs_to_the_closed_piece),
         cmocka_unit_test(flux_is_continuous_at_an_interface),
         cmocka_unit_test(second_form_agrees),
+        cmocka_unit_test(patch_is_a_rod_without_ends),
         cmocka_unit_test(second_form_agrees_at_any_parameters_in_space),
         cmocka_unit_test(gradient_equals_that_of_the_second_form),
         cmocka_unit_test(declared_symmetry_is_real),
