@@ -45,7 +45,8 @@ if numel(args) != 2
 end
 field = read_case(args{1});
 dim = numbers(field.dim);
-if dim == 3 || any(isfield(field, {'shape', 'walls', 'k_law', 'contact_resistance', 'conductivity'})) || any(strcmp(struct2cell(field), 'periodic'))
+others = {'shape', 'walls', 'k_law', 'contact_resistance', 'conductivity'};
+if dim == 3 || any(isfield(field, others)) || any(strcmp(struct2cell(field), 'periodic'))
     exit(77); % rods and rectangles with steady walls and k alone
 end
 lo = numbers(field.lo);

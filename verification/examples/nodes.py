@@ -127,7 +127,8 @@ def main():
     if len(sys.argv) != 3:
         sys.exit("nodes.py CASE OUT")
     case = read_case(sys.argv[1])
-    if case["dim"] == "3" or {"shape", "walls", "k_law", "contact_resistance", "conductivity"} & case.keys() or "periodic" in case.values():
+    others = {"shape", "walls", "k_law", "contact_resistance", "conductivity"}
+    if case["dim"] == "3" or others & case.keys() or "periodic" in case.values():
         sys.exit(77)  # rods and rectangles with steady walls alone
     body = Body(case, sys.argv[2] + ".points")
     nodes, T, steps = solve(body)
