@@ -43,7 +43,7 @@ static const struct param params[] = {
     {"rho_c", 1, "J/(m^3 K)", "heat capacity", NULL},
     {"data", SMOOTH, "", "initial data", words},
     {"r0", 0.5, "m", "radius of the smooth ring", NULL},
-    {"w", 0.1, "m", "its width", NULL},
+    {"w", 0.09, "m", "its width", NULL},
     {"mode", 2, "", "waves around the smooth ring, an integer", NULL},
     {"phase", 0.3, "", "phase of these waves, rad", NULL},
     {"r1", 0.5, "m", "inner radius of the patch", NULL},
