@@ -40,6 +40,9 @@ static const struct {
               {"rod-driven", "omega", 0.03},
               {"wave", "mode_z", 3},
               {"front", "n", 1},
+              {"blast", "dim", 3},
+              {"blast", "dim", 1},
+              {"blast", "n", 0.6},
               {"wall-kirchhoff", "beta", -0.4},
               {"rod-contact", "R", 7.3},
               {"wall-composite", "R", 5.7}};
