@@ -13,10 +13,9 @@
  * beta T/(t + t0)), which is rho_c dT/dt.  n = 5/2 is the conductivity of a plasma (Spitzer and Haerm 1953).  At the
  * front T' is infinite for n > 1 and theta' = 0 for every n.
  *
- * Errors.  With cells or particles dx apart and theta for T, a layer of O(dx) at the front is off by T there,
- * (dx/r_f)
- * ^(1/n), and is O(dx) of the whole in any dimension: E1 is of order min(2, 1 + 1/n), 1.4 for n = 5/2; the largest
- * error is of order min(1, 1/n).
+ * Errors.  With cells or particles dx apart and the mean of k by theta, the layer of O(dx) at the front is off by its
+ * own temperature, T_c (dx/r_f)^(1/n), and is a part O(dx/r_f) of the body in any dimension: E1 is of order
+ * min(2, 1 + 1/n), 1.4 for n = 5/2; the largest error is of order min(1, 1/n).
  *
  * Second form: r_f from the heat, which is constant, with the integral of the profile by quadrature for end points
  * that are powers (GSL's QAWS); T from the flux, k dT/dr = -rho_c beta r T/(t + t0), whose integral from the front is
