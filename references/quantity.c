@@ -107,8 +107,8 @@ static struct approx flux_density(const void *data, const double *along) {
     if (law->is_flux) return (struct approx){per * wall, 0};
     struct exact e = snapshot_at(&f->now, x);
     if (law->exchange) {
-        double q = law->exchange(p, f->side, 1, wall, e.temperature, &b);
-        return (struct approx){per * q, fabs(b) * e.error_bound};
+        const double q = law->exchange(p, f->side, 1, wall, e.temperature, &b), rounding = fabs(b) * e.error_bound;
+        return (struct approx){per * q, rounding};
     }
     double k = kirchhoff_along(p, material_at(p, x), a, e.temperature), K[DIM_MAX][DIM_MAX];
     problem_tensor(p, x, K);

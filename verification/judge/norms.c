@@ -205,7 +205,7 @@ struct norms_shape norms_shape(const struct problem *p, const struct field *f, d
     shape.overshoot = shape.max <= hi ? 0 : shape.max - hi;
     shape.undershoot = shape.min >= lo ? 0 : lo - shape.min;
     shape.variation = variation(f);
-    shape.checkerboard = checkerboard_amplitude(p, f, exact);
+    shape.checkerboard = norms_checkerboard(p, f, exact);
     return shape;
 }
 
@@ -283,7 +283,7 @@ static double largest(const struct lattice *l, const double *Y) {
     return most;
 }
 
-double checkerboard_amplitude(const struct problem *p, const struct field *f, double *exact) {
+double norms_checkerboard(const struct problem *p, const struct field *f, double *exact) {
     for (int a = 0; a < f->dim; a++)
         if (f->shape[a] < 2) return NAN;
     struct lattice l = lattice_of(p, f);

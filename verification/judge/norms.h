@@ -48,10 +48,10 @@ struct norms_shape {
     double min, max;              /* K, of the field */
     double overshoot, undershoot; /* K, beyond initial data, Dirichlet walls and air at Robin walls; 0 within */
     double variation;             /* K m^(dim-1): sum of |difference| along the axes; NaN off a lattice */
-    double checkerboard;          /* K, see checkerboard_amplitude */
+    double checkerboard;          /* K, see norms_checkerboard */
 };
 
-/* exact: T from norms_exact, K; overwritten by checkerboard_amplitude. */
+/* exact: T from norms_exact, K; overwritten by norms_checkerboard. */
 struct norms_shape norms_shape(const struct problem *p, const struct field *f, double *exact);
 
 /* (final heat - initial heat) / |initial heat| */
@@ -64,6 +64,6 @@ double norms_digits(const struct field *f, const struct mapping *map, int *digit
 /* The largest amplitude, K, among the modes of the error T - exact with 2 to 4 points per wavelength along some
  * axis; a pure mode of amplitude c gives c.  NaN if the field is not on a lattice.  Overwrites `exact` (T from
  * norms_exact, K) with the transform of the error. */
-double checkerboard_amplitude(const struct problem *p, const struct field *f, double *exact);
+double norms_checkerboard(const struct problem *p, const struct field *f, double *exact);
 
 #endif

@@ -267,7 +267,7 @@ static void checkerboard_amplitude_of_a_pure_mode(void **state) {
                     exact[i] = 5 + i;
                     f.T[i] = exact[i] + 0.83 * (sides & 1 ? cos(phase) : sin(phase));
                 }
-                assert_near(checkerboard_amplitude(&p, &f, exact), 2 * waves >= n ? 0.83 : 0, 1e-14);
+                assert_near(norms_checkerboard(&p, &f, exact), 2 * waves >= n ? 0.83 : 0, 1e-14);
                 field_free(&f);
             }
 }
@@ -280,11 +280,11 @@ static void checkerboard_amplitude_in_the_plane(void **state) {
     struct field f = points(&p, 7, 10);
     double exact[70] = {0};
     for (int i = 0; i < 70; i++) f.T[i] = -0.41 * sin(pi * 2 * (i % 7 + 0.5) / 7) * cos(pi * 9 * (i / 7 + 0.5) / 10);
-    assert_near(checkerboard_amplitude(&p, &f, exact), 0.41, 1e-14); /* short along y alone */
+    assert_near(norms_checkerboard(&p, &f, exact), 0.41, 1e-14); /* short along y alone */
     static const int too_few[][DIM_MAX] = {{0, 0, 0}, {70, 1, 1}, {1, 70, 1}};
     for (int k = 0; k < 3; k++) {
         memcpy(f.shape, too_few[k], sizeof f.shape);
-        assert_nan(checkerboard_amplitude(&p, &f, exact));
+        assert_nan(norms_checkerboard(&p, &f, exact));
     }
     field_free(&f);
 }
@@ -301,7 +301,7 @@ static void checkerboard_amplitude_on_nodes(void **state) {
         inner.x[0][i] = 0.2 * (i + 1);
         inner.T[i] = 0.6 * sin(pi * 7 * (i + 1) / 10);
     }
-    assert_near(checkerboard_amplitude(&p, &inner, exact), 0.6, 1e-14);
+    assert_near(norms_checkerboard(&p, &inner, exact), 0.6, 1e-14);
     field_free(&inner);
     memset(exact, 0, sizeof exact);
     p.side[X_LO] = p.side[X_HI] = NEUMANN;
@@ -311,7 +311,7 @@ static void checkerboard_amplitude_on_nodes(void **state) {
         all.x[0][i] = 0.2 * i;
         all.T[i] = 0.6 * cos(pi * 10 * i / 10);
     }
-    assert_near(checkerboard_amplitude(&p, &all, exact), 0.6, 1e-14);
+    assert_near(norms_checkerboard(&p, &all, exact), 0.6, 1e-14);
     field_free(&all);
 }
 
