@@ -57,7 +57,7 @@ with_module() { # module, example
 
 @test "heat_getfem.py" { with_module getfem heat_getfem.py; }
 @test "heat_petsc.py" { with_module petsc4py heat_petsc.py; }
-@test "heat_sfepy.py" { with_module sfepy heat_sfepy.py; }
+@test "heat_sfepy.py" { few=contact/steady with_module sfepy heat_sfepy.py; } # its runs take seconds
 
 @test "heat_calculix.py" {
     needs ccx
