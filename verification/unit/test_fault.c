@@ -245,6 +245,17 @@ static void wall_value_in_the_middle_alone_is_found(void **state) {
 }
 
 /* A positive size is a later time: the source at t is that of the scene at t + size. */
+static void a_cross_term_is_lost_or_has_the_other_sign(void **state) {
+    (void)state;
+    struct problem p = problem_of("rect-manufactured");
+    struct faulty with;
+    p.cross[0] = 0.3 * p.material[0].k[0];
+    assert_true(faulty_make(&p, (struct fault){FAULT_CROSS, 0}, 1, &with));
+    assert_near(with.problem.cross[0], 0, 0);
+    assert_true(faulty_make(&p, (struct fault){FAULT_CROSS, 1}, 1, &with));
+    assert_near(with.problem.cross[0], -p.cross[0], 0);
+}
+
 static void sources_are_late_by_their_size(void **state) {
     (void)state;
     struct problem p = problem_of(CHANGING);
@@ -268,6 +279,7 @@ int main(void) {
         cmocka_unit_test(stretched_bodies_keep_walls_and_sources),
         cmocka_unit_test(starts_move_along_y),
         cmocka_unit_test(wall_value_in_the_middle_alone_is_found),
+        cmocka_unit_test(a_cross_term_is_lost_or_has_the_other_sign),
         cmocka_unit_test(sources_are_late_by_their_size),
     };
     return cmocka_run_group_tests_name("fault", tests, NULL, NULL);

@@ -67,13 +67,25 @@ static int place_of(const struct mapping *m, const struct mapping *n) {
     return (int)(100 * to[0] + 10 * to[1] + to[2]);
 }
 
-/* Two maps in succession are one of the 48; each has its inverse; sides and interfaces follow their points. */
+/* v.K v, which no map changes. */
+static double quadratic(const struct problem *p, const double v[DIM_MAX]) {
+    double K[DIM_MAX][DIM_MAX], sum = 0;
+    problem_tensor(p, v, K);
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++) sum += v[a] * K[a][b] * v[b];
+    return sum;
+}
+
+/* Two maps in succession are one of the 48; each has its inverse; sides, interfaces and tensors follow their points.
+ */
 static void maps_of_a_box_form_a_group(void **state) {
     (void)state;
     const struct mapping none = {0};
-    struct problem contact;
+    struct problem contact, tensor;
     int place[48];
     odd_find("box-contact", &contact);
+    odd_find("box-manufactured", &tensor);
+    for (int k = 0; k < 3; k++) tensor.cross[k] = (double[]){0.11, -0.07, 0.05}[k] * tensor.material[0].k[0];
     for (int i = 0; i < 48; i++) {
         const struct mapping m = of_box(i);
         place[i] = place_of(&m, &none);
@@ -105,6 +117,9 @@ static void maps_of_a_box_form_a_group(void **state) {
         struct image image;
         mapping_image(&m, &contact, &image);
         assert_int_equal(mapping_axis(&m, image.interface_axis), 0);
+        mapping_image(&m, &tensor, &image);
+        mapping_to_scene(&m, 3, x, to);
+        assert_near(quadratic(&image.problem, x) / quadratic(&tensor, to), 1, 1e-14);
     }
 }
 
