@@ -76,6 +76,27 @@ static double quadratic(const struct problem *p, const double v[DIM_MAX]) {
     return sum;
 }
 
+/* The field of the ring turns with the plane. */
+static void a_field_turns_with_its_axes(void **state) {
+    (void)state;
+    struct problem ring;
+    const double x[DIM_MAX] = {-0.31, 0.47, 0};
+    odd_find("ring", &ring);
+    for (int i = 0; i < 8; i++) {
+        struct mapping m = {0};
+        struct image image;
+        double to[DIM_MAX], b[DIM_MAX] = {0}, of[DIM_MAX] = {0}, back[DIM_MAX];
+        assert_int_equal(mapping_read(of_plane[i], &m), 0);
+        mapping_image(&m, &ring, &image);
+        mapping_to_scene(&m, 2, x, to);
+        image.problem.direction(&image.problem, x, b);
+        ring.direction(&ring, to, of);
+        mapping_to_case(&m, 2, of, back);
+        for (int a = 0; a < 2; a++) assert_near(fabs(b[0] * back[a] - b[a] * back[0]), 0, 1e-15); /* parallel */
+        assert_near(hypot(b[0], b[1]), 1, 1e-15);
+    }
+}
+
 /* Two maps in succession are one of the 48; each has its inverse; sides, interfaces and tensors follow their points.
  */
 static void maps_of_a_box_form_a_group(void **state) {
@@ -288,6 +309,7 @@ int main(void) {
         cmocka_unit_test(bounds_hold_the_rounding_of_the_map), cmocka_unit_test(words_are_read_as_they_are_printed),
         cmocka_unit_test(image_satisfies_its_equation),        cmocka_unit_test(k_of_an_image_is_that_of_the_scene),
         cmocka_unit_test(case_file_uses_its_own_axes),         cmocka_unit_test(maps_of_a_box_form_a_group),
+        cmocka_unit_test(a_field_turns_with_its_axes),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("mapping", tests, NULL, NULL);
