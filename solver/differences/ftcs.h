@@ -64,7 +64,8 @@ struct ftcs_grid {
     double *T, *state[3];     /* K; `state` as the stepper needs */
     double *row;              /* scratch, n[0] */
     double *heating;          /* K s^-1, G / rho_c, by cell without ghosts; NULL without a source */
-    double *warming[2];       /* source linear in time: `heating` at t = 0, and its rate, K s^-2; else NULL */
+    double *warming[3];       /* coefficients of `heating` in t - since, K s^-(1 + k), where the source changes */
+    double since;             /* s */
     struct ftcs_modes *modes; /* transforms around a round body; else NULL */
 };
 
@@ -76,6 +77,7 @@ int ftcs_plan(struct ftcs_grid *g, const char *method, int fluxes, const struct 
 void ftcs_fill(struct ftcs_grid *g);
 void ftcs_free(struct ftcs_grid *g, int keep_T);   /* keep_T: all arrays except T */
 void ftcs_set_time(struct ftcs_grid *g, double t); /* data of walls and source that change */
+void ftcs_set_step(struct ftcs_grid *g, double t); /* coefficients of source_at from t to t + dt */
 void ftcs_place(const struct ftcs_grid *g, const int i[DIM_MAX], double x[DIM_MAX]);    /* m, centre of a cell */
 void ftcs_point(const struct ftcs_grid *g, const double u[DIM_MAX], double x[DIM_MAX]); /* from grid coordinates */
 double ftcs_volume(const struct ftcs_grid *g, const int i[DIM_MAX]);

@@ -127,7 +127,8 @@ static void arrays_make(struct ftcs_grid *g) {
         ftcs_wall_make(g, (enum side)s);
     if (problem_has_cross(p)) ftcs_cross_make(g);
     if (p->source || p->source_at) g->heating = reserve(g, cells);
-    for (int k = 0; k < 2 && p->source_rate; k++) g->warming[k] = reserve(g, cells);
+    const int terms = p->source_at ? 3 : p->source_rate ? 2 : 0;
+    for (int k = 0; k < terms; k++) g->warming[k] = reserve(g, cells);
 }
 
 /* In the matched run Euler's steps add A dx^2/kappa of diffusion to the source: its correction, W m^-3, is A D^2 G
@@ -165,6 +166,7 @@ void ftcs_fill(struct ftcs_grid *g) {
         }
         if (p->source_rate)
             g->warming[0][cell] = g->heating[cell], g->warming[1][cell] = p->source_rate(p, x) / rho_c(g, i[0]);
+        if (p->source_at) g->warming[0][cell] = p->source_at(p, x, 0) / rho_c(g, i[0]);
         cell++;
     } while (ftcs_next(g, i));
     g->data[0] = g->range[0], g->data[1] = g->range[1];
@@ -175,26 +177,38 @@ void ftcs_fill(struct ftcs_grid *g) {
 }
 
 void ftcs_set_time(struct ftcs_grid *g, double t) {
-    const struct problem *p = g->p;
     const ptrdiff_t cells = (ptrdiff_t)g->n[0] * g->n[1] * g->n[2];
-    if (p->wall_rate || p->source_at) ftcs_wall_data(g, t);
-    for (ptrdiff_t k = 0; k < cells && g->warming[0]; k++) g->heating[k] = g->warming[0][k] + t * g->warming[1][k];
-    double x[DIM_MAX], *heating = g->heating;
-    int i[DIM_MAX] = {0}, more = p->source_at != NULL;
-    for (; more; more = ftcs_next(g, i)) {
-        ftcs_place(g, i, x);
-        *heating = p->source_at(p, x, t) / rho_c(g, i[0]);
-        g->inflow = fmax(g->inflow, fabs(*heating++) * p->t_end);
-    }
+    const double since = t - g->since, *const *w = (const double *const *)g->warming;
+    if (g->p->wall_rate || g->p->source_at) ftcs_wall_data(g, t);
+    for (ptrdiff_t k = 0; k < cells && w[0]; k++)
+        g->heating[k] = w[0][k] + since * (w[1][k] + (w[2] ? since * w[2][k] : 0));
     set_bound(g);
+}
+
+void ftcs_set_step(struct ftcs_grid *g, double t) {
+    const struct problem *p = g->p;
+    const double last = t - g->since, dt = g->dt;
+    double x[DIM_MAX], *const *w = g->warming;
+    int i[DIM_MAX] = {0}, more = p->source_at != NULL;
+    for (ptrdiff_t k = 0; more; more = ftcs_next(g, i), k++) {
+        ftcs_place(g, i, x);
+        const double before = w[0][k], now = before + last * (w[1][k] + last * w[2][k]);
+        const double end = p->source_at(p, x, t + dt) / rho_c(g, i[0]), slope = (end - now) / dt;
+        w[0][k] = now;
+        w[2][k] = last > 0 ? (slope - (now - before) / last) / (dt + last) : 0;
+        w[1][k] = slope - dt * w[2][k];
+        g->inflow = fmax(g->inflow, fmax(fabs(now), fabs(end)) * p->t_end);
+    }
+    if (p->source_at) g->since = t;
 }
 
 void ftcs_free(struct ftcs_grid *g, int keep_T) {
     ftcs_round_free(g);
     g->held = g->size;
     for (int s = 0; s < SIDES; s++) free(g->side[s].sign), g->side[s].sign = g->side[s].offset = NULL;
-    double **spent[] = {&g->C[0],     &g->C[1],   &g->C[2], &g->weight,  &g->law,        &g->state[0],   &g->state[1],
-                        &g->state[2], &g->before, &g->row,  &g->heating, &g->warming[0], &g->warming[1], &g->cross};
+    double **spent[] = {&g->C[0],     &g->C[1],       &g->C[2],       &g->weight,     &g->law,
+                        &g->state[0], &g->state[1],   &g->state[2],   &g->before,     &g->row,
+                        &g->heating,  &g->warming[0], &g->warming[1], &g->warming[2], &g->cross};
     for (size_t k = 0; k < sizeof spent / sizeof *spent; k++) free(*spent[k]), *spent[k] = NULL;
     for (int a = 0; a < DIM_MAX; a++) {
         free(g->flux[a]), g->flux[a] = NULL;

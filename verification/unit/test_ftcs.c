@@ -690,6 +690,33 @@ static void steady_walls_are_read_once(void **state) {
     }
 }
 
+static double parabola(const struct problem *p, const double *x, double t) {
+    (void)x;
+    asked++;
+    return p->param[RATE] * (1 + t * t);
+}
+
+/* A source that depends on time is read once a step for all stages: a parabola in time as it is, a line in the first
+ * step.  The midpoint rule of rk2 makes t^2 smaller by dt^2/12; in the first step the line makes it larger by dt^2/6.
+ */
+static void source_is_read_once_a_step(void **state) {
+    (void)state;
+    for (int many = 0; many < 2; many++) {
+        enum { STEPS = 20 };
+        struct problem p = body(2);
+        const double t = p.t_end, dt = t / STEPS;
+        struct options o = {.dx = many ? 0.046 : 0.115, .dt = dt, .stepper = many ? STEPPER_RKL2 : STEPPER_RK2};
+        set_sides(&p, PERIODIC);
+        p.source_at = parabola, p.param[AMPLITUDE] = 0, p.param[RATE] = 1.7, asked = 0;
+        struct field f = solved(&method_ftcs, &p, &o);
+        const double rise = t + t * t * t / 3 + dt * dt * dt * (1. / 6 - (STEPS - 1) / 12.);
+        assert_int_equal(f.stages, many ? 7 : 2);
+        if (!many) assert_near(f.T[0], p.param[LEVEL] + p.param[RATE] / p.material[0].rho_c * rise, 1e-12);
+        assert_int_equal(asked, (long)f.n * (STEPS + 3)); /* the start; the range of the source, at both ends */
+        field_free(&f);
+    }
+}
+
 /* t_end / ceil(t_end / dt); a dx that is out by rounding is snapped. */
 static void steps_are_whole_and_dx_is_snapped(void **state) {
     (void)state;
@@ -786,6 +813,7 @@ int main(void) {
         cmocka_unit_test(steps_up_to_the_limit_are_stable),
         cmocka_unit_test(hot_wall_is_no_instability),
         cmocka_unit_test(steady_walls_are_read_once),
+        cmocka_unit_test(source_is_read_once_a_step),
         cmocka_unit_test(steps_are_whole_and_dx_is_snapped),
         cmocka_unit_test(matched_run_starts_at_the_sampling_time),
         cmocka_unit_test(bits_do_not_depend_on_the_width_of_vectors),
