@@ -10,6 +10,8 @@
 #include "reports/papers.h"
 #include "verification/gates/battery.h"
 #include "verification/gates/gates.h"
+#include "verification/text/json.h"
+#include "verification/text/output.h"
 #include "verification/text/table.h"
 
 #include <math.h>
@@ -124,42 +126,143 @@ static void list_claims(void) {
                claims_verdict_words[row->expected]);
 }
 
+/* ---- JSON: the elements of the array that has the topic's name ---- */
+
+static void json_words(struct json *j, const char *key, const char *const *words) {
+    json_array(j, key);
+    for (int i = 0; words[i]; i++) json_text(j, NULL, words[i]);
+    json_end(j);
+}
+
+static void json_scenes(struct json *j) {
+    for (const struct scene *const *s = scenes; *s; s++) {
+        json_object(j, NULL);
+        json_add(j, "name %s|about %s|citation %s", (*s)->name, (*s)->about, (*s)->citation);
+        json_array(j, "parameters");
+        for (const struct param *p = (*s)->params; p->name; p++) {
+            json_object(j, NULL);
+            json_add(j, "name %s|unit %s|about %s", p->name, p->unit, p->about);
+            if (p->choice)
+                json_text(j, "default", p->choice[(int)p->value]), json_words(j, "choices", p->choice);
+            else
+                json_number(j, "default", p->value);
+            json_end(j);
+        }
+        json_end(j);
+        json_end(j);
+    }
+}
+
+static void json_named(struct json *j, const char *name, const char *about, const char *options) {
+    json_object(j, NULL);
+    json_text(j, "name", name);
+    if (about) json_text(j, "about", about);
+    if (options) json_text(j, "options", options);
+    json_end(j);
+}
+
+static void json_methods(struct json *j) {
+    for (const struct method *const *m = methods; *m; m++) json_named(j, (*m)->name, (*m)->about, (*m)->accepts);
+}
+
+static void json_kernels(struct json *j) {
+    for (int i = 0; kernel_words[i]; i++) json_named(j, kernel_words[i], NULL, NULL);
+}
+
+static void json_steppers(struct json *j) {
+    for (int i = 1; stepper_words[i]; i++)
+        json_named(j, stepper_words[i], stepper_of((enum stepper_name)i)->about, NULL);
+}
+
+/* order: of a row of the battery, else 0 */
+static void json_gate(struct json *j, const struct gate *g, int order) {
+    json_object(j, NULL);
+    json_add(j, "id %s|measure %s|lo %g|hi %g|ceiling %g|command %s|why %s", g->id, g->measure, g->lo, g->hi,
+             g->ceiling, g->command, g->why);
+    if (order) json_add(j, "order %d|drawn %s", order, ranges_of(g->id, order));
+    json_end(j);
+}
+
+static void json_gates(struct json *j) {
+    struct gates all;
+    struct failure why;
+    gates_collect(NULL, NULL, 0, &all, &why);
+    for (int i = 0; i < all.declared; i++) json_gate(j, &all.result[i].gate, 0);
+    gates_free(&all);
+}
+
+static void json_battery(struct json *j) {
+    for (int k = 0; k < 3; k++) {
+        struct gates all = {0};
+        struct failure ignored;
+        battery_add(battery_orders[k], PROFILE_ALL, 0, &all, &ignored);
+        battery_bounds(&all, &ignored);
+        for (int i = 0; i < all.declared; i++) json_gate(j, &all.result[i].gate, battery_orders[k]);
+        gates_free(&all);
+    }
+}
+
+static void json_claims(struct json *j) {
+    for (const struct claims_row *row = papers_claims; row->id; row++) {
+        json_object(j, NULL);
+        json_add(j, "id %s|published %s|source %s|expected %s", row->id, row->published, row->source,
+                 claims_verdict_words[row->expected]);
+        json_end(j);
+    }
+}
+
 static const struct topic {
     const char *name, *about;
     void (*list)(void);
     void (*details)(void); /* with --verbose; NULL: as list */
+    void (*json)(struct json *j);
 } topics[] = {
-    {"scenes", "problems with an exact solution, their parameters and defaults", list_scenes, NULL},
-    {"methods", "discretizations and their options", list_methods, NULL},
-    {"kernels", "smoothing kernels", list_kernels, NULL},
-    {"steppers", "time steppers", list_steppers, NULL},
-    {"gates", "checks of the suite itself", list_gates, NULL},
-    {"battery", "checks for any code, with the fault that each detects", list_battery_rows, list_battery_details},
-    {"claims", "statements of the papers", list_claims, NULL},
+    {"scenes", "problems with an exact solution, their parameters and defaults", list_scenes, NULL, json_scenes},
+    {"methods", "discretizations and their options", list_methods, NULL, json_methods},
+    {"kernels", "smoothing kernels", list_kernels, NULL, json_kernels},
+    {"steppers", "time steppers", list_steppers, NULL, json_steppers},
+    {"gates", "checks of the suite itself", list_gates, NULL, json_gates},
+    {"battery", "checks for any code, with the fault that each detects", list_battery_rows, list_battery_details,
+     json_battery},
+    {"claims", "statements of the papers", list_claims, NULL, json_claims},
     {0}};
 
 struct list_options {
     struct command command;
     int verbose;
+    const char *json_path; /* NULL for none */
 };
+
+/* The rows of a topic, or of each topic its name (NULL). */
+static int write_json(const struct topic *topic, const char *path, struct failure *why) {
+    struct output page;
+    struct json j = json_on(output_open(&page, "%s", path));
+    json_array(&j, topic ? topic->name : "topics");
+    for (int i = 0; topics[i].name && !topic; i++) json_named(&j, topics[i].name, topics[i].about, NULL);
+    if (topic) topic->json(&j);
+    json_end(&j);
+    json_end(&j);
+    return output_close(&page, 1, why);
+}
 
 static int act(const void *options, struct failure *why) {
     const struct list_options *r = options;
     const char *names[WORDS_MAX] = {0}, *topic = r->command.word[0];
     for (int i = 0; topics[i].name; i++) names[i] = topics[i].name;
+    int at = topic ? words_index(names, topic) : -1;
+    if (topic && at < 0) return words_unknown(names, "topic", topic, why);
+    if (output_check(r->json_path, why)) return why->status;
     for (int i = 0; topics[i].name && !topic; i++) printf("heatladder list %-10s %s\n", names[i], topics[i].about);
-    if (!topic) return STATUS_OK;
-    int at = words_index(names, topic);
-    if (at < 0) return words_unknown(names, "topic", topic, why);
-    if (r->verbose && topics[at].details)
+    if (topic && r->verbose && topics[at].details)
         topics[at].details();
-    else
+    else if (topic)
         topics[at].list();
-    return STATUS_OK;
+    return r->json_path ? write_json(topic ? &topics[at] : NULL, r->json_path, why) : STATUS_OK;
 }
 
 static const struct option own[] = {{"verbose", NULL, "of the battery: commands, bounds and draws; also -v",
                                      option_flag, OPTION_PLACE(list_options, verbose)},
+                                    JSON_OPTION(OPTION_PLACE(list_options, json_path), "the rows of the topic"),
                                     {0}};
 
 static const struct command_syntax syntax = {"list", "[TOPIC]", "", "", NULL};

@@ -78,14 +78,19 @@ load common
 measured=('run rod-gauss so_ssph --dx 0.5' 'ladder rod-gauss ftcs --dx 2,1,0.5,0.25' 'limit so_ssph --dim 1'
     'bench --brief --scene rod-step' 'verify --only symmetry/*')
 
-@test "jq reads every verb that measures" {
+@test "jq reads every verb" {
     needs jq
-    for line in "${measured[@]}" 'reference rod-gauss --at 0.25 --time 1' 'report claims --only pamplona/mass'; do
+    for line in "${measured[@]}" 'reference rod-gauss --at 0.25 --time 1' 'report claims --only pamplona/mass' \
+        list 'list scenes' 'list methods' 'list kernels' 'list steppers' 'list gates' 'list battery' 'list claims' \
+        'case rod-gauss --dx 1,0.5 --into cases' 'case --battery --into battery'; do
         echo "$line"
         # shellcheck disable=SC2086 # words
         (set -f; heatladder $line --json - 2>text | jq -e 'length > 0')
         [ -s text ]
     done
+    [ "$(heatladder list battery --json - 2>text | jq '.battery | map(select(.order == 2)) | length')" -gt 60 ]
+    [ "$(heatladder list scenes --json - 2>text | jq -r ".scenes[].name")" = \
+        "$(heatladder list scenes | sed -n 's/^\([a-z-]*\): .*/\1/p')" ]
 }
 
 @test "--csv: one header line, rows as long, the numbers of --json" {

@@ -81,11 +81,11 @@ int measures_ladder(const struct command *r, double lo, double hi, struct ladder
     return STATUS_OK;
 }
 
-/* For a picture of the errors. */
-static void keep_field(const struct experiment *e, struct ladder *l, struct measured *m) {
-    if (m->verdict == VERDICT_PASS || l->kept[0].n == 0) return;
-    m->field = l->kept[0];
-    l->kept[0] = (struct field){0};
+/* For a picture of the errors of a row that does not hold; takes the field over. */
+static void keep_field(const struct experiment *e, struct field *f, struct measured *m) {
+    if (m->verdict == VERDICT_PASS || f->n == 0) return;
+    m->field = *f;
+    *f = (struct field){0};
     m->exact = xcalloc(m->field.n, sizeof *m->exact);
     norms_exact(e->scene, &e->problem, &m->field, m->exact);
 }
@@ -101,7 +101,7 @@ void measures_slope(const struct command *r, double lo, double hi, struct measur
     struct ladder *l = xcalloc(1, sizeof *l);
     if (!measures_ladder(r, lo, hi, l, m)) {
         keep_rungs(l, &m->rungs);
-        keep_field(&r->experiment, l, m);
+        keep_field(&r->experiment, &l->kept[0], m);
     }
     ladder_free(l);
     free(l);
@@ -164,11 +164,19 @@ int measures_run(const struct experiment *e, struct result *r, struct field *f, 
     return status;
 }
 
+static void judge_run(const struct experiment *e, struct field *f, double value, double lo, double hi,
+                      struct measured *m) {
+    measures_judge(m, value, lo, hi);
+    keep_field(e, f, m);
+    field_free(f);
+}
+
 /* A number of one run. */
 #define OF_RUN(name, value)                                                                                          \
     void measures_##name(const struct command *r, double lo, double hi, struct measured *m) {                        \
         struct result of;                                                                                            \
-        if (!measures_run(&r->experiment, &of, NULL, m)) measures_judge(m, value, lo, hi);                           \
+        struct field f = {0};                                                                                        \
+        if (!measures_run(&r->experiment, &of, &f, m)) judge_run(&r->experiment, &f, value, lo, hi, m);              \
     }
 OF_RUN(error_linf, of.error[NORM_LINF])
 OF_RUN(overshoot, fmax(of.shape.overshoot, of.shape.undershoot))
@@ -364,6 +372,7 @@ void measures_slope_time(const struct command *r, double lo, double hi, struct m
     else if (m->verdict != VERDICT_PASS && !l->failure.status)
         judge_noise(r, l, m);
     if (m->verdict == VERDICT_FAIL && !l->failure.status && !m->found.named) diagnose_steps(r, l, m);
+    if (m->verdict == VERDICT_FAIL || m->verdict == VERDICT_INCONCLUSIVE) keep_rungs(l, &m->rungs);
     ladder_free(l);
     free(l);
 }
@@ -404,6 +413,7 @@ void measures_error(const struct command *r, double lo, double hi, struct measur
     if (!measures_run(e, &result, &f, m)) {
         measures_judge(m, result.error[NORM_L1], lo, hi);
         if (e->external && m->verdict == VERDICT_FAIL) diagnose(r, &f, hi, m);
+        keep_field(e, &f, m);
     }
     field_free(&f);
 }

@@ -35,7 +35,7 @@ struct measured {
     struct diagnosis found; /* the common fault that the errors resemble; its evidence is owned */
     char diagnosis[340];    /* in words; "" if none is named */
     struct rungs rungs;
-    struct field field; /* owned: the finest answer of a ladder that does not hold; n = 0: none */
+    struct field field; /* owned: the finest answer of a row that does not hold; n = 0: none */
     double *exact;      /* owned: K, at its points */
 };
 

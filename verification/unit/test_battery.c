@@ -173,6 +173,7 @@ static void faults_hidden_in_one_field_are_diagnosed(void **state) {
         struct measured m;
         gates_judge(&g.result[0].gate, &program, &m);
         if (!strstr(m.diagnosis, says[k])) fail_msg("%s: '%s'", rows[k], m.diagnosis);
+        if (k > 0 && (m.field.n == 0 || !isfinite(m.exact[0]))) fail_msg("%s has no picture", rows[k]);
         measures_free(&m);
         gates_free(&g);
     }
