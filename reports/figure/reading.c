@@ -42,8 +42,8 @@ static int limit(struct command_run *r, struct json *j, struct failure *why) {
     const struct command *c = &r->typed;
     struct model_problem b;
     struct step_limit l;
-    int status = step_limit_setup(c->experiment.method, &c->experiment.options, c->dim, c->ratio, c->contact,
-                                  c->stages, &b, why);
+    int status = step_limit_setup(c->experiment.method, &c->experiment.options, c->dim, c->ratio, c->field,
+                                  c->contact, c->stages, &b, why);
     if (!status) status = step_limit_predict(&b, &l, why);
     if (!status) step_limit_json(&b, &l, j);
     return status;

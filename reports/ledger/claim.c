@@ -84,8 +84,8 @@ int claim_model(struct model_problem *b, struct step_limit *l, struct claims_mea
     va_end(arguments);
     int status = command_read(line, &r, &why);
     if (!status)
-        status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.contact, r.stages, b,
-                                  &why);
+        status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.field, r.contact,
+                                  r.stages, b, &why);
     if (!status && l) status = step_limit_predict(b, l, &why);
     command_free(&r);
     if (status && m) claim_fail(m, why.text);

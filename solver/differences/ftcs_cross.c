@@ -17,7 +17,7 @@
  * K_aa c_a^2 + K_bb c_b^2, so the rate is at most 4/dx^2 (K_aa + K_bb), as without K_ab; in space it is at most 9/8
  * of the trace, where K = b b^T, b along a diagonal, and each s^2 = 3/4.  Corner: sqrt(w.K w) <= sqrt(K_most) times
  * the sum of w, at most 1 in the plane, where it is sin((xi_x + xi_y) dx/2), and 2/sqrt(3) in space, where each s^2 =
- * 1/3.
+ * 1/3.  In the plane |w_x| + |w_y| <= 1 makes the largest K_aa the bound: `limit ftcs --cross corner --field ANGLE`.
  *
  *                 rate dx^2/4 at most                dt K_most/dx^2 at most, all K_aa equal
  *   plane         K_xx + K_yy; corner K_most         1/4; corner 1/2

@@ -28,9 +28,9 @@ const struct command_syntax command_syntaxes[] = {
     [COMMAND_LADDER] = {"ladder", "SCENE METHOD", "",
                         "dx dt fourier memory quantity vary fine seeds at expect ceiling norm" MODEL PROGRAM,
                         "results columns at expect json"},
-    [COMMAND_LIMIT] = {"limit", "METHOD", "dim",
-                       "dim stepper stages kernel h order layout jitter sweeps seed volume walls ratio contact",
-                       NULL},
+    [COMMAND_LIMIT] =
+        {"limit", "METHOD", "dim",
+         "dim stepper stages kernel h order layout jitter sweeps seed volume walls ratio field cross contact", NULL},
     [COMMAND_REFERENCE] = {"reference", "SCENE", "", "at time t-end set map scale offset", NULL}};
 #undef MODEL
 #undef PROGRAM

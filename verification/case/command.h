@@ -34,6 +34,7 @@ struct command {
     int times;                /* > 1: so many, evenly from time.value[0] to [1]; 0: those of `time` */
     struct numbers origin;    /* dx: of the lattice of a round body */
     double ratio;             /* limit: kappa_y/kappa_x; 0: 1 */
+    double field;             /* limit: degrees */
     double contact;           /* limit: k and rho c of the second material over those of the first; 0: one material */
     int dim, stages;          /* limit: 1 to 3; of a step, 0 if they are not chosen */
     const char *word[2];      /* the positionals as typed; NULL for none */

@@ -36,7 +36,10 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
     if (b->method->scheme) printf(", %s kernel, h/dx = %g", kernel_words[b->options.kernel], b->options.h);
     if (b->options.layout != LAYOUT_LATTICE) printf(", %s", layout_words[b->options.layout]);
     if (b->options.jitter > 0) printf(" %g, seed %lu", b->options.jitter, b->options.seed);
-    if (b->dim > 1 && model_problem_kappa_y(b) < 1)
+    if (b->field != 0)
+        printf(", b at %g degrees, k_perp/k_par %g%s", b->field, model_problem_kappa_y(b),
+               b->options.cross ? ", fluxes at corners" : "");
+    else if (b->dim > 1 && model_problem_kappa_y(b) < 1)
         printf(", kappa_y/kappa_x %g%s", model_problem_kappa_y(b), b->dim == 3 ? ", kappa_z = kappa_x" : "");
     if (b->contact > 0) printf(", two materials 1 : %g", b->contact);
     if (b->options.walls != WALLS_MIRROR) printf(", walls %s", walls_words[b->options.walls]);
@@ -89,8 +92,8 @@ static int act(const void *options, struct failure *why) {
     int status = output_check(r->json_path, why);
     if (!status) status = output_check(r->csv_path, why);
     if (!status)
-        status = step_limit_setup(c->experiment.method, &c->experiment.options, c->dim, c->ratio, c->contact,
-                                  c->stages, &b, why);
+        status = step_limit_setup(c->experiment.method, &c->experiment.options, c->dim, c->ratio, c->field,
+                                  c->contact, c->stages, &b, why);
     if (!status) status = step_limit_predict(&b, &l, why);
     if (!status) status = step_limit_measure(&b, &l.measured, why);
     if (status) return status;

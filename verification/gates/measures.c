@@ -463,8 +463,8 @@ void measures_digits(const struct command *r, double lo, double hi, struct measu
 static int model_of(const struct command *r, struct model_problem *b, struct step_limit *l, int measured,
                     struct measured *m) {
     struct failure why = {0};
-    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->contact,
-                                  r->stages, b, &why);
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->field,
+                                  r->contact, r->stages, b, &why);
     if (!status && l) status = step_limit_predict(b, l, &why);
     if (!status && l && measured) status = step_limit_measure(b, &l->measured, &why);
     measures_fail(m, &why);

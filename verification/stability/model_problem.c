@@ -44,6 +44,13 @@ double model_problem_kappa_y(const struct model_problem *b) {
     return b->ratio > 0 ? b->ratio : 1;
 }
 
+/* K of a field at that angle from x, rad: 1 along it, `across` across. */
+static void turn(struct problem *p, double angle, double across) {
+    const double b[2] = {cos(angle), sin(angle)};
+    for (int a = 0; a < 2; a++) p->material[0].k[a] = across + (1 - across) * b[a] * b[a];
+    p->cross[problem_pair(0, 1)] = (1 - across) * b[0] * b[1];
+}
+
 struct problem model_problem_setup(const struct model_problem *b, enum model_problem_data data, double disturb) {
     struct problem p = {.dim = b->dim,
                         .t_end = 1,
@@ -60,7 +67,8 @@ struct problem model_problem_setup(const struct model_problem *b, enum model_pro
         p.material[1].rho_c = b->contact;
         for (int a = 0; a < b->dim; a++) p.material[1].k[a] = b->contact * p.material[0].k[a];
     }
-    for (int s = 0; s < 2 * b->dim; s++) p.side[s] = b->insulated ? NEUMANN : DIRICHLET;
+    for (int s = 0; s < 2 * b->dim; s++) p.side[s] = b->field != 0 ? PERIODIC : b->insulated ? NEUMANN : DIRICHLET;
+    if (b->field != 0) turn(&p, b->field * M_PI / 180, model_problem_kappa_y(b));
     return p;
 }
 

@@ -12,9 +12,11 @@
 struct model_problem {
     const struct method *method;
     int dim;
-    int n;          /* along each axis */
-    int insulated;  /* 1: insulated walls; 0: walls at 0 K */
-    double ratio;   /* kappa_y/kappa_x; 0: 1 */
+    int n;         /* along each axis */
+    int insulated; /* 1: insulated walls; 0: walls at 0 K */
+    double ratio;  /* kappa_y/kappa_x; 0: 1 */
+    double
+        field; /* degrees from x: of a field b, in periodic sides; kappa is 1 along b and `ratio` across; 0: none */
     double contact; /* ratio of k and rho c of the upper half of x to those of the lower, so that kappa is 1 in both;
                        0: one material */
     struct options options; /* dx = 1; `step` has stepper and stages */

@@ -52,10 +52,18 @@ static int refuse_stepper(const struct stepper *s, struct failure *why) {
     return refuse(why, STATUS_INPUT, "--stepper %s: it %s; use %s", s->name, reason, text);
 }
 
-int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, double contact,
-                     int stages, struct model_problem *b, struct failure *why) {
-    *b = (struct model_problem){
-        .method = m, .dim = dim, .ratio = ratio, .contact = contact, .options = *o, .step = {o->stepper, stages}};
+int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, double field,
+                     double contact, int stages, struct model_problem *b, struct failure *why) {
+    *b = (struct model_problem){.method = m,
+                                .dim = dim,
+                                .ratio = ratio,
+                                .field = field,
+                                .contact = contact,
+                                .options = *o,
+                                .step = {o->stepper, stages}};
+    if (field != 0 && (dim != 2 || contact > 0 || options_is_cloud(o)))
+        return refuse(why, STATUS_INPUT, "--field %g: is for --dim 2, one material and a regular layout", field);
+    if (field == 0 && o->cross) return refuse(why, STATUS_INPUT, "--cross %s: needs --field", cross_words[o->cross]);
     if (contact > 0 && !m->scheme)
         return refuse(why, STATUS_INPUT, "--contact %g: %s has no rows for eigenvalues; use contact_ssph", contact,
                       m->name);
@@ -115,7 +123,7 @@ static int song(const struct model_problem *b, double *published, struct failure
 static int publish(const struct model_problem *b, struct step_limit *l, struct failure *why) {
     l->published = NAN, l->source = NULL;
     if (stepper_of(b->step.stepper)->order != 1) return STATUS_OK; /* the published bounds are for Euler's method */
-    if (b->contact > 0) return STATUS_OK;                          /* and for one material */
+    if (b->contact > 0 || b->field != 0) return STATUS_OK;         /* and for one material without k_xy */
     if (is(b, "ftcs")) {
         l->published = 0.25 * b->dim, l->source = "Pamplona 2019, eq. 17 with gamma = 1/4";
     } else if (is(b, "so_ssph") && b->options.order <= 2) {
@@ -198,6 +206,7 @@ void step_limit_json(const struct model_problem *b, const struct step_limit *l, 
     json_add(j, "layout %s|jitter %g|seed %lld|walls %s", layout_words[b->options.layout], b->options.jitter,
              (long long)b->options.seed, walls_words[b->options.walls]);
     json_number(j, "ratio", b->dim > 1 ? model_problem_kappa_y(b) : NAN);
+    json_number(j, "field [degrees]", b->field != 0 ? b->field : NAN);
     json_number(j, "contact", b->contact > 0 ? b->contact : NAN);
     json_add(j, "stepper %s|published %g|source %s|von_neumann %g|measured %g", stepper_words[b->step.stepper],
              l->published, l->source, l->von_neumann, l->measured);

@@ -38,8 +38,8 @@ enum { LIMIT_STEPS = 1000 };
 
 /* Resolves *b with the number of particles of limit searches; and the model problem of the command `limit`. */
 int step_limit_model(struct model_problem *b, struct failure *why);
-int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, double contact,
-                     int stages, struct model_problem *b, struct failure *why);
+int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, double field,
+                     double contact, int stages, struct model_problem *b, struct failure *why);
 
 /* Customary steps of SPH codes for conduction, dt = C h^2/kappa, independent of their operator. */
 

@@ -53,22 +53,30 @@ static int from_impulse(struct symbol *s, const struct model_problem *given, str
     struct model_problem b = *given;
     struct field f;
     b.n = IMPULSE;
+    if (b.method->scheme) b.n = 2 * (int)ceil(b.method->scheme->sweeps * 2 * b.options.h) + 1;
+    const int middle = b.n / 2;
     struct problem p = model_problem_setup(&b, MODEL_IMPULSE, 0);
     struct options o = b.options;
     o.stepper = stepper_auto(1, 1, 0),
-    o.layout = LAYOUT_LATTICE; /* IMPULSE unknowns for any treatment of the walls */
+    o.layout = LAYOUT_LATTICE; /* as many unknowns for any treatment of the walls */
     p.t_end = o.dt = 1.0 / 64;
     if (method_solve(b.method, &p, &o, &f, why)) return why->status;
     int reach[DIM_MAX] = {0};
-    for (int a = 0; a < b.dim; a++) reach[a] = IMPULSE / 2;
+    for (int a = 0; a < b.dim; a++) reach[a] = middle;
     reserve(s, b.dim, reach);
-    OFFSETS(s, i, j, k) s->w[weight_index(s, -i, -j, -k)] = (f.T[weight_index(s, i, j, k)] - (!i && !j && !k)) / o.dt;
+    for (size_t m = 0; m < f.n; m++) { /* in the order of the method */
+        double x[DIM_MAX];
+        int at[DIM_MAX] = {0};
+        field_place(&f, m, x);
+        for (int a = 0; a < b.dim; a++) at[a] = (int)floor(x[a]) - middle;
+        s->w[weight_index(s, -at[0], -at[1], -at[2])] = (f.T[m] - (!at[0] && !at[1] && !at[2])) / o.dt;
+    }
     field_free(&f);
     return STATUS_OK;
 }
 
 int symbol_create(struct symbol *s, const struct model_problem *b, struct failure *why) {
-    return b->method->scheme ? from_scheme(s, b, why) : from_impulse(s, b, why);
+    return b->method->scheme && b->field == 0 ? from_scheme(s, b, why) : from_impulse(s, b, why);
 }
 
 void symbol_free(struct symbol *s) {

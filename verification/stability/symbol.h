@@ -13,8 +13,8 @@ struct symbol {
     double *w; /* the whole stencil: (2 reach + 1) weights along each axis, x fastest */
 };
 
-/* From operator_stencil for a particle method; else from one Euler step of the method on an impulse. b is
- * resolved. */
+/* From operator_stencil for a particle method without a field, whose stencil is even along each axis; else from one
+ * Euler step of the method on an impulse. b is resolved. */
 int symbol_create(struct symbol *s, const struct model_problem *b, struct failure *why);
 void symbol_free(struct symbol *s);
 

@@ -18,8 +18,8 @@
 static int find_limit(const struct command *r, struct failure *why) {
     struct model_problem b;
     struct step_limit l = {.von_neumann = 0};
-    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->contact,
-                                  r->stages, &b, why);
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->field,
+                                  r->contact, r->stages, &b, why);
     if (!status && !(r->dim == 2 && options_is_cloud(&b.options))) status = step_limit_predict(&b, &l, why);
     if (status) return status;
     if (isnan(l.von_neumann)) fail_msg("no limit and no reason");

@@ -28,8 +28,8 @@ static struct model_problem model(const char *line) {
     struct model_problem b;
     struct failure why;
     const struct experiment *e = of(line);
-    if (step_limit_setup(e->method, &e->options, request.dim, request.ratio, request.contact, request.stages, &b,
-                         &why))
+    if (step_limit_setup(e->method, &e->options, request.dim, request.ratio, request.field, request.contact,
+                         request.stages, &b, &why))
         fail_msg("%s: %s", line, why.text);
     return b;
 }

@@ -75,6 +75,30 @@ static void limits_of_two_diffusivities(void **state) {
     }
 }
 
+/* A field at any angle (the head of ftcs_cross.c): fluxes at faces 1/(2 trace K), those at corners 1/(2 the largest
+ * K_aa).  Along x it is the diagonal problem.  A run of so_ssph and its symbol agree. */
+static void limits_follow_the_angle_of_a_field(void **state) {
+    (void)state;
+    const double r = 0.137, angle = 152;
+    for (int m = 0; m < 3; m++) {
+        const struct options o = {.cross = m == 1 ? CROSS_CORNER : CROSS_FACE};
+        struct model_problem b;
+        struct failure why;
+        double measured, largest = r + (1 - r) * pow(cos(angle * M_PI / 180), 2);
+        if (step_limit_setup(m < 2 ? &method_ftcs : &method_so_ssph, &o, 2, r, angle, 0, 0, &b, &why))
+            fail_msg("%s", why.text);
+        struct step_limit l = predicted(&b);
+        if (m < 2) assert_near(l.von_neumann, 0.5 / (m ? largest : 1 + r), 1e-11);
+        assert_int_equal(step_limit_measure(&b, &measured, &why), STATUS_OK);
+        assert_near(measured / l.von_neumann, 1, 0.02);
+    }
+    struct model_problem b;
+    struct failure why;
+    const struct options corner = {.cross = CROSS_CORNER};
+    assert_int_equal(step_limit_setup(&method_ftcs, &corner, 3, r, angle, 0, 0, &b, &why), STATUS_INPUT);
+    assert_int_equal(step_limit_setup(&method_ftcs, &corner, 2, r, 0, 0, 0, &b, &why), STATUS_INPUT);
+}
+
 static void grids_refuse_jitter_and_accept_nodes(void **state) {
     (void)state;
     struct model_problem b = {.method = &method_ftcs, .dim = 2, .options = {.layout = LAYOUT_JITTER, .jitter = 0.1}};
@@ -84,7 +108,7 @@ static void grids_refuse_jitter_and_accept_nodes(void **state) {
     assert_int_equal(step_limit_model(&b, &why), STATUS_OK);
     assert_near(predicted(&b).von_neumann, 2, 1e-11);
     const struct options o = {.stepper = STEPPER_EULER};
-    assert_int_equal(step_limit_setup(&method_so_ssph, &o, 1, 0.5, 0, 0, &b, &why), STATUS_INPUT);
+    assert_int_equal(step_limit_setup(&method_so_ssph, &o, 1, 0.5, 0, 0, 0, &b, &why), STATUS_INPUT);
 }
 
 /* The largest eigenvalue of n cells with a stencil of w[1], w[2] at one and two cells.  Odd reflection has the modes
@@ -299,7 +323,8 @@ static void nearest_neighbour_contact_keeps_the_step_limit(void **state) {
             struct step_limit l;
             struct failure why = {0};
             double measured;
-            if (step_limit_setup(method_find("voronoi_flux"), &o, dim, 0, r, 0, &b, &why)) fail_msg("%s", why.text);
+            if (step_limit_setup(method_find("voronoi_flux"), &o, dim, 0, 0, r, 0, &b, &why))
+                fail_msg("%s", why.text);
             assert_int_equal(step_limit_predict(&b, &l, &why), STATUS_OK);
             assert_near(l.von_neumann, 0.5 / dim, 1e-9);
             assert_int_equal(step_limit_measure(&b, &measured, &why), STATUS_OK);
@@ -308,9 +333,9 @@ static void nearest_neighbour_contact_keeps_the_step_limit(void **state) {
     struct options o = {.order = 2};
     struct model_problem b;
     struct failure why;
-    assert_int_equal(step_limit_setup(&method_ftcs, &o, 1, 0, 0.1, 0, &b, &why), STATUS_INPUT);
+    assert_int_equal(step_limit_setup(&method_ftcs, &o, 1, 0, 0, 0.1, 0, &b, &why), STATUS_INPUT);
     assert_has(why.text, "--contact 0.1: ftcs has no rows");
-    assert_int_equal(step_limit_setup(&method_so_ssph, &o, 1, 0, 0.1, 0, &b, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(step_limit_setup(&method_so_ssph, &o, 1, 0, 0, 0.1, 0, &b, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "one material only");
 }
 
@@ -352,6 +377,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(finite_differences_have_their_symbols),
         cmocka_unit_test(limits_of_two_diffusivities),
+        cmocka_unit_test(limits_follow_the_angle_of_a_field),
         cmocka_unit_test(grids_refuse_jitter_and_accept_nodes),
         cmocka_unit_test(limits_depend_on_walls_and_nodes),
         cmocka_unit_test(narrow_supports_reduce_to_finite_differences),
