@@ -521,6 +521,10 @@ static void mirrored(struct faulty *f) {
     f->mirrored[f->fault.at] = 1;
 }
 
+static void start_size(struct faulty *f) {
+    f->initial = 1 + f->size;
+}
+
 static void start_shift(struct faulty *f) {
     int a = f->fault.at;
     f->start[a] = f->size;

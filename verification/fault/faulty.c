@@ -48,7 +48,7 @@ static double initial(const struct problem *p, const double *x) {
         at[a] -= f->start[a];
         if (f->width[a] != 0) at[a] = narrowed(f->right, a, at[a], f->width[a]);
     }
-    return f->factor * f->right->initial(f->right, at) + f->offset;
+    return f->factor * f->initial * f->right->initial(f->right, at) + f->offset;
 }
 
 /* Data of a side, or their rate, with factor and offset. */
@@ -138,7 +138,7 @@ static void direction(const struct problem *p, const double *x, double b[DIM_MAX
 int faulty_make(const struct problem *p, struct fault fault, double size, struct faulty *f) {
     if (!fault_applies(p, fault)) return 0;
     *f = (struct faulty){.problem = *p, .right = p, .fault = fault, .size = size, .mean = MEAN_SERIES};
-    f->factor = f->source = 1;
+    f->factor = f->source = f->initial = 1;
     f->corner = f->kept = -1;
     for (int a = 0; a < DIM_MAX; a++) {
         f->stretch[a] = 1, f->centre[a] = (p->lo[a] + p->hi[a]) / 2, f->from[a] = a;

@@ -31,6 +31,7 @@ struct faulty {
     double moved[DIM_MAX];                    /* m: points of the answer are this much too far up */
     int mirrored[DIM_MAX];                    /* 1: points of the answer are in reverse order */
     double start[DIM_MAX];                    /* m: the initial data are displaced */
+    double initial;                           /* their factor */
     double width[DIM_MAX];                    /* m: their jumps are displaced outwards */
     double factor, offset;                    /* all temperatures; K */
     double wall[SIDES], late[SIDES];          /* factor of a side's data; s: they are those of a later time */

@@ -98,8 +98,9 @@ static void one_fault_explains_all_rows(void **state) {
     } rows[] = {{{FAULT_CLOCK, 0}, -2, -2},
                 {{FAULT_CONDUCTIVITY, 0}, 0.1, 10},
                 {{FAULT_AMPLITUDE, 0}, 0.02, 2},
+                {{FAULT_START_SIZE, 0}, 0.02, 2},
                 {{FAULT_OFFSET, 0}, 0.2, 0.2}};
-    for (int k = 0; k < 4; k++) {
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         struct diagnosis found[ROWS];
         for (int i = 0; i < ROWS; i++) found[i] = shown(scenes_of[i], rows[k].fault, rows[k].units, spacings[i]);
         struct headline h = headline_choose(found, ROWS, NULL, NULL);
