@@ -89,7 +89,8 @@ double ceiling_late(const struct experiment *e, double part);
 double ceiling_driven_step(const struct experiment *e, double dt, int early);
 
 /* Codes of any kind: the effect of cell means used as values, dx^2/24 lap T; of a field displaced by a cell along
- * each axis; |T_xx/T_x| at the high end of a rod, m^-1; a source of rect-manufactured taken dt away. */
+ * each axis; |T_xx| of the six cells at the high end of a rod, by their weights in the gradient there, over
+ * |T_x| there, m^-1; a source of rect-manufactured taken dt away. */
 double ceiling_cell_mean(const struct experiment *e);
 double ceiling_cell_away(const struct experiment *e);
 double ceiling_bend(const struct experiment *e);
