@@ -234,6 +234,9 @@ clean: ## Remove everything that was built
 CVODE = $(wildcard /usr/include/cvode/cvode.h /usr/local/include/cvode/cvode.h)
 VORO  = $(wildcard /usr/include/voro++/voro++.hh /usr/local/include/voro++/voro++.hh)
 EXAMPLES = $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90) $(if $(CVODE),cvode))
+# deal.II takes 15 s to compile: for `make codes` alone.
+DEALII   = $(if $(shell command -v mpicxx),$(wildcard /usr/include/deal.II/base/config.h))
+JUDGED   = $(EXAMPLES) $(if $(DEALII),$(BUILD)/examples/heat_dealii)
 TIMED    = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_step) $(if $(VORO),voro_cells))
 # Flags for the programs of others alone; they favour them in the comparison.
 FAST    := -O3 -march=native -ffast-math -fopenmp-simd
@@ -252,6 +255,11 @@ $(BUILD)/examples/cells_f90: verification/examples/cells.f90
 $(BUILD)/examples/cvode: verification/examples/cvode.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -O2 -o $@ $< $(call sundials,cvode nvecserial sunlinsolband sunmatrixband) -lm
+
+# Headers of deal.II name those of Trilinos and PETSc; its link line would name 200 libraries.
+$(BUILD)/examples/heat_dealii: verification/examples/heat_dealii.cc
+	@mkdir -p $(@D)
+	$(Q)mpicxx -O2 -w $(addprefix -I/usr/include/,trilinos petsc slepc) -o $@ $< -Wl,--copy-dt-needed-entries -ldeal.ii
 
 $(BUILD)/peers/cvode_step: reports/bench/cvode_step.c
 	@mkdir -p $(@D)
@@ -357,7 +365,7 @@ setup-peers: ## Install public codes from Debian's packages: those of PEERS, or 
 
 codes: all ## Judge the public codes that are installed (PEERS, or all) and write reports/out/codes.html
 	@mkdir -p $(OUT)
-	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES)
+	+$(Q)$(MAKE) -s --no-print-directory $(JUDGED)
 	$(Q)$(if $(ROWS),ROWS='$(ROWS)' )scripts/codes $(BUILD)/heatladder $(BUILD) $(OUT) $(PEERS)
 
 league: all ## Time public codes (make setup-peers): error against seconds, beside ours

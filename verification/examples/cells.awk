@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # LC_ALL=C awk -f cells.awk CASE OUT: finite volumes on a grid of cells, explicit Euler.
 #
 #     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)

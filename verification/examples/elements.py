@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """elements.py CASE OUT: FEniCSx, linear elements on segments and triangles, bilinear ones on
 rectangles, BDF2 in time.
 

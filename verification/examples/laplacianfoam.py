@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """laplacianfoam.py CASE OUT: OpenFOAM's laplacianFoam, finite volumes, BDF2 in time.
 
     dT/dt = DT laplacian T

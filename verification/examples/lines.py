@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """lines.py CASE OUT: SciPy, the method of lines: finite volumes on a grid of cells, solve_ivp's BDF
 in time.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """nodes.py CASE OUT: volumes around the nodes of a grid, explicit Euler, for rods and rectangles.
 
 The nodes divide the body into boxes; each node has the part of the box around it, half-way to its

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """particles.py CASE OUT: PySPH, a pair operator on a lattice of particles with ghosts, explicit
 Euler.
 

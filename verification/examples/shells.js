@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // node shells.js CASE OUT: a ball, finite volumes between shells, cones and half-planes, BDF2 in time.
 //
 //     rho_c V dT/dt = V source + sum over the faces of a cell of conductance (T_beyond - T)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """solid.py CASE OUT: finite volumes on a box of cells in three dimensions, explicit Euler.
 
     rho_c dT/dt = source + sum over the faces of a cell of (heat flux into the cell) / width

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """triangles.py CASE OUT | verify [options]: SciPy, linear elements on triangles in a round body,
 the trapezoidal rule.
 
