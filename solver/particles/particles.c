@@ -11,7 +11,8 @@
 #include <stdio.h>
 
 int particles_rows(const struct problem *p, const struct options *o) {
-    return options_is_cloud(o) || p->materials == 2 || p->side[X_LO] == PERIODIC || layout_is_cut(p, o);
+    return options_is_cloud(o) || p->materials == 2 || p->side[X_LO] == PERIODIC || problem_has_cross(p) ||
+           layout_is_cut(p, o);
 }
 
 enum subject { LAYOUT, WALLS, SHIFT, SAMPLING, ORDER, VOLUME, MEAN, STEPPER, METHOD };
@@ -115,9 +116,13 @@ int particles_check(const struct problem *p, const struct options *o, const stru
         {s->isotropic && unequal, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
         {tensor && !s->tensor, METHOD, "a diagonal conductivity only, the scene has k_xy", "so_ssph or ftcs"},
         {tensor && law, METHOD, "a tensor that depends on temperature is not supported", "k_xy = 0"},
-        {p->direction && s->tensor, METHOD, "a field needs grad k, and walls that b crosses no mirror images",
-         "ftcs"},
-        {tensor && !periodic, METHOD, "with k_xy the mirror image of T beyond a wall is no solution", "ftcs"},
+        {tensor && (has_wall(p, NEUMANN) || exchange), METHOD,
+         "with k_xy T is not even beyond a wall of given flux: n.K grad T is given, not n.grad T", "held walls"},
+        {tensor && !periodic && (!mirror || cut), WALLS, "with k_xy T is odd beyond a held plane wall",
+         "mirror, no --shift"},
+        {tensor && !periodic && o->layout != LAYOUT_LATTICE && o->layout != LAYOUT_JITTER, LAYOUT,
+         "with k_xy images are of particles midway", "lattice or jitter"},
+        {tensor && !periodic && o->order > 2, ORDER, "with k_xy images are exact to first degree", "2"},
         {p->resistance > 0 && (o->mean == MEAN_HARMONIC || o->mean == MEAN_ARITHMETIC), MEAN,
          "has no place for a contact resistance", "series"},
         {two && o->sampling == SAMPLING_SPLINE, SAMPLING, "four cells of two materials have no common average",

@@ -13,7 +13,7 @@ enum { SSPH_ORDER_MAX = 4, SSPH_TERMS_MAX = 34, FIT_TERMS_MAX = 10 };
 /* Weights of a linear combination of second derivatives from a Taylor expansion to `order` (Song eqs. 9-13): w[j]
  * (nb->n values) such that sum_j w[j] (f_j - f_i) approximates sum_k target[k] times derivative k.  Terms are
  * ordered by degree, then by the exponents of z and y: x, y, x^2, xy, y^2, x^3, ... in the plane, x, y, z, x^2, xy,
- * y^2, xz, yz, z^2, x^3, ... in space; target is 0 for degrees other than 2.
+ * y^2, xz, yz, z^2, x^3, ... in space; target is h times the factor of a first derivative, 0 for degrees over 2.
  * STATUS_NUMERICAL names the particle, its neighbour count and the condition number. */
 int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, const double *target, double *w,
                  struct failure *why);
