@@ -108,16 +108,18 @@ static void add_graded(struct cubature_knots *knots, int axis, double at) {
     knots->knot[axis][k].graded = 1;
 }
 
-/* Data that jump along curves: the midpoint rule, whose error is 1/POINTS^(3/2) of the jump or less. */
+/* Data that jump or bend along curves: the midpoint rule, whose error is 1/POINTS^(3/2) of the jump or less. */
 static double mean_of_points(const struct problem *p, const double *lo, const double *hi) {
     enum { POINTS = 32 };
     double sum = 0;
-    for (int k = 0; k < POINTS * POINTS; k++) {
-        double x[DIM_MAX] = {lo[0] + (hi[0] - lo[0]) * (k % POINTS + 0.5) / POINTS,
-                             lo[1] + (hi[1] - lo[1]) * (k / POINTS + 0.5) / POINTS};
+    const int layers = p->dim > 2 ? POINTS : 1;
+    for (int k = 0; k < POINTS * POINTS * layers; k++) {
+        const int i[DIM_MAX] = {k % POINTS, k / POINTS % POINTS, k / POINTS / POINTS};
+        double x[DIM_MAX] = {0};
+        for (int a = 0; a < p->dim; a++) x[a] = lo[a] + (hi[a] - lo[a]) * (i[a] + 0.5) / POINTS;
         sum += p->initial(p, x);
     }
-    return sum / (POINTS * POINTS);
+    return sum / (POINTS * POINTS * layers);
 }
 
 /* Average over the part of the body from lo to hi.  The data of a scene may have a kink at an interface, and on a rod
@@ -127,7 +129,7 @@ static double mean(const struct problem *p, int interface_axis, const double *lo
     double volume = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (p->dim == 3 ? hi[2] - lo[2] : 1);
     double part = p->shape ? shape_clipped(p, lo, hi) / volume : 1;
     if (part < 1 - 1e-9 && part > 1e-12) return clipped(p, lo, hi);
-    if (p->jumps_on_curves) return mean_of_points(p, lo, hi);
+    if (p->breaks_on_curves) return mean_of_points(p, lo, hi);
     for (int a = 0; a < p->dim; a++) {
         for (int j = 0; j < p->jumps[a]; j++) knots.knot[a][knots.count[a]++].at = p->jump[a][j];
         if (p->dim < 3) add_graded(&knots, a, (p->lo[a] + p->hi[a]) / 2);

@@ -141,6 +141,7 @@ static int setup(struct problem *p, struct failure *why) {
     p->wall = wall;
     if (left) p->wall_rate = wall_rate;
     p->kinked[0] = p->dim == 1 && !left, p->kink[0] = v[R0];
+    p->breaks_on_curves = p->dim > 1 && !left;
     return STATUS_OK;
 }
 

@@ -185,7 +185,7 @@ static int setup(struct problem *p, struct failure *why) {
     for (int a = 0; a < 2; a++) p->lo[a] = -v[L], p->hi[a] = v[L];
     for (int s = 0; s < 4; s++) p->side[s] = DIRICHLET, p->held[s] = v[TM];
     p->initial = initial;
-    p->jumps_on_curves = v[DATA] == PATCH;
+    p->breaks_on_curves = v[DATA] == PATCH;
     return STATUS_OK;
 }
 

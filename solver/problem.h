@@ -52,7 +52,7 @@ struct problem {
     double jump[DIM_MAX][JUMP_MAX]; /* m, ascending */
     int kinked[DIM_MAX];            /* by axis: 1 if the initial data have a kink at the plane x_a = kink[a] */
     double kink[DIM_MAX];           /* m */
-    int jumps_on_curves;            /* 1 if the initial data of a plane jump elsewhere */
+    int breaks_on_curves;           /* 1 if the initial data jump or bend on a curve or surface */
     int mirror[DIM_MAX];            /* 1 if the whole problem is even about the middle of that axis */
     const struct problem *whole;    /* this is its upper half, quarter or octant; NULL for a whole problem */
     const void *data;               /* context of the functions below if no scene made them; NULL for a scene */
