@@ -155,9 +155,10 @@ static int suggest(const struct diagnosis *row, int failing, struct hypothesis *
     return n;
 }
 
-/* A time that is not a number of steps is a rare slip: a wrong end is one step off. */
+/* A time that is not a number of steps is a rare slip: a wrong end is one step off, data that keep their first value
+ * are late by any time. */
 static int rarity(const struct hypothesis *h) {
-    return h->fault.kind == FAULT_CLOCK && strcmp(h->unit, "s") == 0 ? FAULT_KINDS : (int)h->fault.kind;
+    return strcmp(h->unit, "s") == 0 ? FAULT_KINDS : (int)h->fault.kind;
 }
 
 /* The better one explains more; of two that explain as much, it is at one place, or the more common. */

@@ -152,6 +152,16 @@ static void a_fault_of_all_rows_is_better_than_one_of_a_class(void **state) {
     }
 }
 
+/* A source that is late by some seconds explains nearly as much. */
+static void a_source_that_keeps_its_first_value_is_not_of_another_time(void **state) {
+    (void)state;
+    struct diagnosis found = shown(CHANGING, (struct fault){FAULT_SOURCE_FROZEN, 0}, 1, 0.025);
+    struct headline h = headline_choose(&found, 1, NULL, NULL);
+    print_message("%s\n", h.fault.what);
+    assert_int_equal(h.fault.fault.kind, FAULT_SOURCE_FROZEN);
+    free(found.evidence);
+}
+
 /* Two runs of different steps show walls 1.6 steps early: one step of the run, and half a cell. */
 static void a_step_too_few_explains_walls_that_are_early(void **state) {
     (void)state;
@@ -228,6 +238,7 @@ int main(void) {
         cmocka_unit_test(rows_that_pass_decide),
         cmocka_unit_test(a_fault_of_all_rows_is_better_than_one_of_a_class),
         cmocka_unit_test(a_step_too_few_explains_walls_that_are_early),
+        cmocka_unit_test(a_source_that_keeps_its_first_value_is_not_of_another_time),
         cmocka_unit_test(a_part_of_all_errors_is_not_firm),
         cmocka_unit_test(effects_above_a_ceiling_contradict),
     };
