@@ -71,7 +71,8 @@ void diagnose_ladder(const struct experiment *e, struct ladder *l, struct diagno
     struct diagnosis repeats;
     double apart = l->noise.apart, largest = field_largest(&l->kept[1]);
     *d = (struct diagnosis){.unit = ""};
-    if (!l->open) return;
+    if (l->failure.status == STATUS_UNSTABLE) diagnosis_overflow(d);
+    if (!l->open || d->named) return;
     if (l->n < 2 || l->kept[0].n == 0 || l->kept[1].n == 0) {
         snprintf(d->what, sizeof d->what, "none: two rungs with an answer are needed");
         return;

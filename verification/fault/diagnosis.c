@@ -151,6 +151,11 @@ int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
     return 1;
 }
 
+void diagnosis_overflow(struct diagnosis *d) {
+    *d = (struct diagnosis){.named = 1, .fault = {FAULT_UNSTABLE, 0}, .unit = "", .share = NAN};
+    wording_fault(d);
+}
+
 int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
     static const double SUMS = 1e-8; /* as whole/repeat: 1e6 round-off errors of 1e-16, a hundredfold */
     if (!(apart > SUMS * largest)) return 0;

@@ -59,6 +59,8 @@ void diagnosis_steps(const struct problem *p, const struct field *f, const doubl
 
 /* Names a run whose temperatures are far outside the range of the solution, or overflow.  Returns 1 if they are. */
 int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d);
+/* The same of an answer that was refused for its temperatures (STATUS_UNSTABLE). */
+void diagnosis_overflow(struct diagnosis *d);
 
 /* Names a difference `apart`, K, between two runs of the same case, of fields as large as `largest`, K, if it
  * exceeds the effect of summation order: a single field is then inconclusive.  Returns 1 if it does. */

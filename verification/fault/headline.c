@@ -167,7 +167,7 @@ static int is_better(const struct hypothesis *a, const struct hypothesis *b) {
     if (fabs(a->score - b->score) > AS_WELL) return a->score > b->score;
     if (a->fault.kind != b->fault.kind) return rarity(a) < rarity(b);
     if ((a->fault.at == FAULT_ANY) != (b->fault.at == FAULT_ANY)) return b->fault.at == FAULT_ANY;
-    if (strcmp(a->unit, b->unit) != 0) return strcmp(a->unit, "steps") == 0; /* if their number is known */
+    if (strcmp(a->unit, b->unit) != 0) return strcmp(a->unit, "steps") == 0 || !*b->unit; /* if a size is known */
     return a->score > b->score;
 }
 

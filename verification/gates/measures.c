@@ -28,6 +28,7 @@
 void measures_fail(struct measured *m, const struct failure *why) {
     *m = (struct measured){.value = NAN, .ci = {NAN, NAN}, .error = NAN};
     m->verdict = why->status == STATUS_SKIPPED ? VERDICT_SKIPPED : VERDICT_FAIL;
+    if (why->status == STATUS_UNSTABLE) diagnosis_overflow(&m->found);
     snprintf(m->reason, sizeof m->reason, "%.390s", why->text);
 }
 

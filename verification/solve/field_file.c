@@ -46,7 +46,7 @@ static int check_size(const struct samples *s, const struct problem *p, struct f
     }
     if (fabs(T[largest]) <= OVERFLOW * fmax(1, fmax(fabs(lo), fabs(hi)))) return STATUS_OK;
     return refuse(
-        why, STATUS_NUMERICAL,
+        why, STATUS_UNSTABLE,
         "%.150s, line %ld: T = %g K at %s m, where initial data and walls have %g to %g K: overflow, such as "
         "of an unstable step",
         s->path, samples_line(s, largest), T[largest], samples_place(s, largest, place), lo, hi);

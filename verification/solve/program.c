@@ -166,7 +166,10 @@ static int solve_at(const struct program *g, const struct scene *s, const struct
     if (status) return status;
     if (!results_answer(dir, path, sizeof path))
         return refuse(why, STATUS_NUMERICAL, "--solver: exit status 0, but no answer at {out}");
-    if (read_answer(g, path, "{out}", p, o, f, why)) return why->status = STATUS_NUMERICAL; /* the program failed */
+    if (read_answer(g, path, "{out}", p, o, f, why)) { /* the program failed */
+        if (why->status != STATUS_UNSTABLE) why->status = STATUS_NUMERICAL;
+        return why->status;
+    }
     f->cost.seconds = seconds;
     return STATUS_OK;
 }

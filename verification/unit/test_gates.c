@@ -276,6 +276,11 @@ static void failing_gates_are_diagnosed(void **state) {
         result[i].measured.verdict = verdicts[i];
         result[i].measured.found = (struct diagnosis){.named = 1, .fault = {FAULT_SWAP, 0}, .unit = ""};
     }
+    struct measured refused = {0};
+    measures_fail(&refused, &(struct failure){.status = STATUS_UNSTABLE, .text = "T = 1e+30 K"});
+    assert_int_equal(refused.found.fault.kind, FAULT_UNSTABLE);
+    measures_fail(&refused, &(struct failure){.status = STATUS_NUMERICAL, .text = "status 1"});
+    assert_false(refused.found.named);
     gates_diagnose(&g);
     assert_string_equal(g.diagnosis, "as if k_x and k_y were in each other's place (2 of 2 rows that do not pass)");
     result[1].gate =

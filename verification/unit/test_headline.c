@@ -48,6 +48,7 @@ static void sizes_choose_the_sentence(void **state) {
         {{FAULT_EXTENT, FAULT_BOTH_AXES}, 0.5, "cells", "as if the sides across x and y were 0.5 cells further out"},
         {{FAULT_OFFSET, 0}, -273.15, "K", "273.15 K too low: degrees Celsius and kelvin are mixed"},
         {{FAULT_UNSTABLE, 0}, 1e30, "K", "overflow: temperatures up to 1e+30 K"},
+        {{FAULT_UNSTABLE, 0}, 0, "", "temperatures overflow, as in an unstable run"},
         {{FAULT_AMPLITUDE, 0}, -1, "%", "as if all temperatures were 1 % too small, or heat were lost everywhere"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -206,6 +207,11 @@ static void rows_that_pass_decide(void **state) {
     h = headline_choose(found, 2, against_clocks, &outside);
     headline_print(&h, "in space", text);
     assert_string_equal(text, "in space, as if the run had stopped 1 step late (2 of 2 rows that do not pass)");
+    const struct diagnosis refused[] = {of(FAULT_UNSTABLE, 0, 0, ""), of(FAULT_UNSTABLE, 0, 5e3, "K"), late};
+    h = headline_choose(refused, 3, NULL, NULL);
+    headline_print(&h, "", text);
+    assert_has(text, "perhaps the run is unstable, up to 5e+03 K");
+    assert_int_equal(h.votes, 2);
     h = headline_choose(found, 0, NULL, NULL);
     headline_print(&h, "", text);
     assert_string_equal(text, "");
