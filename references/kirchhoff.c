@@ -9,6 +9,7 @@
 
 double kirchhoff_k(const struct problem *p, double T) {
     double u = T - p->k_ref;
+    if (p->k_law == K_PHASES) return p->phase_k[u > 0];
     if (p->k_law == K_POWER) return u > 0 ? p->k_0 * pow(u, p->k_n) : 0;
     return p->k_law == K_LINEAR ? p->k_0 * (1 + p->k_beta * u) : p->material[0].k[0];
 }
@@ -21,6 +22,7 @@ double kirchhoff_slope(const struct problem *p, double T) {
 
 double kirchhoff_theta(const struct problem *p, double T) {
     double u = T - p->k_ref;
+    if (p->k_law == K_PHASES) return p->phase_k[u > 0] * u;
     if (p->k_law == K_POWER) return u > 0 ? p->k_0 * pow(u, p->k_n + 1) / (p->k_n + 1) : 0;
     return p->k_law == K_LINEAR ? p->k_0 * u * (1 + p->k_beta * u / 2) : p->material[0].k[0] * u;
 }

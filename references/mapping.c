@@ -145,6 +145,7 @@ static void image_law(struct image *image) {
     double s = mapping_scale(&image->map);
     of->k_ref = mapping_temperature(&image->map, of->k_ref);
     of->k_beta /= s;
+    of->latent *= s;
     if (of->k_law == K_POWER) of->k_0 /= pow(s, of->k_n);
 }
 

@@ -49,6 +49,8 @@ int quantity_read(const char *text, const struct problem *p, struct quantity *q,
     const char *const *flux = p->shape ? round_flux : plane_flux;
     *q = (struct quantity){.kind = QUANTITY_HEAT};
     if (strncmp(text, "at:", 3) == 0) return read_place(text, p, q, why);
+    if (strcmp(text, "heat") == 0 && p->k_law == K_PHASES)
+        return refuse(why, STATUS_INPUT, "quantity 'heat': phases have latent heat too; use at:X or a flux");
     if (strcmp(text, "heat") == 0) return STATUS_OK;
     for (int s = 0; s < 2 * p->dim; s++) {
         if (!shape_has_wall(p, s) || strcmp(text, flux[s]) != 0) continue;

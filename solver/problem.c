@@ -30,6 +30,7 @@ double problem_transfer(const struct problem *p, int side) {
 }
 
 const char *problem_nonlinearity(const struct problem *p) {
+    if (p->k_law == K_PHASES) return "a phase melts here";
     if (p->k_law != K_CONSTANT) return "k depends on temperature here";
     for (int s = 0; s < SIDES; s++)
         if (problem_law(p, s)->nonlinear) return "the flux through a wall is not linear in its temperature here";

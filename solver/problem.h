@@ -21,8 +21,10 @@ struct material {
 };
 
 /* Conductivity of an isotropic material that depends on T, with u = T - k_ref: constant, k_0 (1 + k_beta u), or
- * k_0 u^k_n (0 for u <= 0).  material[0].k is then the largest value of the exact solution. */
-enum k_law { K_CONSTANT, K_LINEAR, K_POWER };
+ * k_0 u^k_n (0 for u <= 0).  material[0].k is then the largest value of the exact solution.  Phases: a solid below
+ * k_ref and a liquid above, with k and rho_c of their own, and latent heat at k_ref, the melting point.  material[0]
+ * is then the phase of the larger diffusivity. */
+enum k_law { K_CONSTANT, K_LINEAR, K_POWER, K_PHASES };
 
 struct problem {
     int dim;                         /* 1 to 3 */
@@ -44,6 +46,10 @@ struct problem {
     int k_frozen;                   /* 1: k of the initial temperature at all times, a fault of a code; ftcs only */
     double k_0;                     /* W m^-1 K^-1; times K^-k_n of a power law */
     double k_beta, k_ref, k_n;      /* K^-1, K, 1 */
+    double phase_k[2];              /* W m^-1 K^-1: solid, liquid */
+    double phase_rho_c[2];          /* J m^-3 K^-1 */
+    double latent;                  /* J m^-3 */
+    double root;                    /* 1: a root that the setup of a scene finds for its other functions */
     enum side_kind side[SIDES];     /* indexed by enum side; in a round body X_LO is the hole, X_HI the outer wall */
     double robin[SIDES];            /* W m^-2 K^-1, >= 0, of a ROBIN side: b in k dT/dn = b (T_a - T) */
     double start;                   /* K, uniform initial value if `initial` is problem_start */

@@ -58,7 +58,7 @@ static void hand_over(struct ftcs_grid *g, struct field *f) {
         ftcs_place(g, i, x);
         if (g->round) field_put(f, k, x);
         for (int a = 0; a < f->dim && !g->round; a++) f->x[a][i[a]] = x[a];
-        f->T[k] = f->T[ftcs_at(g, i)];
+        f->T[k] = ftcs_face_temperature(g->p, f->T[ftcs_at(g, i)]);
     }
     f->T = xcheck(realloc(f->T, f->n * sizeof *f->T), f->n, sizeof *f->T);
     f->cost.bytes = bytes;

@@ -90,6 +90,8 @@ double ftcs_face_rho_c(const struct problem *p, double d, double x);
 double ftcs_face_k(const struct problem *p, enum mean mean, int axis, double d, double x);
 void ftcs_face_parts(const struct problem *p, double d, double x, double share[2], double middle[2]);
 double ftcs_face_law(const struct problem *p, double T);
+double ftcs_face_state(const struct problem *p, double T); /* phases: U (ftcs_face.c); else T */
+double ftcs_face_temperature(const struct problem *p, double U);
 double ftcs_face_wall(const struct ftcs_grid *g, enum side s, double T, double k, double value, double half);
 void ftcs_face_refresh(struct ftcs_grid *g, const double *T);
 

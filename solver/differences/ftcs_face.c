@@ -23,6 +23,12 @@
  * A wall half a cell away: a held wall has the same mean of k between T_i and T_wall; a flux is given; at a Robin
  * wall T_wall balances k dT/dn = b (T_a - T_wall), with the mean of k over the temperatures.
  *
+ * Phases.  The unknown is U, the enthalpy from the melting point over rho_c of the faster phase, in K: dU/dt is the
+ * sum of the differences of theta over that rho_c, and theta is k T of the solid for U < 0, 0 while the cell melts, 0
+ * < U < latent/rho_c, and that of the liquid beyond.  theta does not fall with U, so that a step of Euler's is
+ * monotone for dt sum of kappa/dx^2 up to 1/2, at a wall 1/3 (its ghost counts twice).  The weights of rk2 and rkl2
+ * have either sign (nu_2 = -1/2): no step of theirs is monotone, and both are refused.
+ *
  * Restriction: a conductivity that depends on temperature is isotropic. */
 #include "solver/differences/ftcs.h"
 
@@ -85,8 +91,30 @@ double ftcs_face_k(const struct problem *p, enum mean mean, int axis, double d, 
 
 /* ---- Conductivity that depends on temperature ---- */
 
-/* W m^-1 K^-1 */
+static double phase_kappa(const struct problem *p, int liquid) {
+    return p->phase_k[liquid] / p->phase_rho_c[liquid];
+}
+
+/* 1 for a cell at the melting point */
+static int melts(const struct problem *p, double U) {
+    return U >= 0 && U <= p->latent / p->material[0].rho_c;
+}
+
+double ftcs_face_state(const struct problem *p, double T) {
+    if (p->k_law != K_PHASES) return T;
+    double u = T - p->k_ref, heat = p->phase_rho_c[u > 0] * u;
+    return (heat + (u > 0 ? p->latent : u < 0 ? 0 : p->latent / 2)) / p->material[0].rho_c;
+}
+
+double ftcs_face_temperature(const struct problem *p, double U) {
+    if (p->k_law != K_PHASES) return U;
+    const double heat = p->material[0].rho_c * U;
+    return p->k_ref + (melts(p, U) ? 0 : (U > 0 ? heat - p->latent : heat) / p->phase_rho_c[U > 0]);
+}
+
+/* W m^-1 K^-1, of a state */
 double ftcs_face_law(const struct problem *p, double T) {
+    if (p->k_law == K_PHASES) return melts(p, T) ? 0 : phase_kappa(p, T > 0) * p->material[0].rho_c;
     double u = T - p->k_ref, k = p->k_law == K_LINEAR ? p->k_0 * (1 + p->k_beta * u) : p->k_0;
     if (p->k_law == K_POWER) k *= u > 0 ? pow(u, p->k_n) : 0;
     return k > 0 ? k : 0;
@@ -95,6 +123,7 @@ double ftcs_face_law(const struct problem *p, double T) {
 /* W m^-1 */
 static double theta(const struct problem *p, double T) {
     double u = T - p->k_ref;
+    if (p->k_law == K_PHASES) return p->phase_k[u > 0] * u;
     if (p->k_law == K_LINEAR) return p->k_0 * u * (1 + p->k_beta * u / 2);
     return u > 0 ? p->k_0 / (p->k_n + 1) * pow(u, p->k_n + 1) : 0;
 }
@@ -129,7 +158,7 @@ double ftcs_face_wall(const struct ftcs_grid *g, enum side s, double T, double k
     if (law->is_flux) return value;
     if (p->k_frozen) return (value - T) / (half / k + (law->exchange ? 1 / problem_transfer(p, (int)s) : 0));
     if (law->exchange) return law->exchange(p, s, 1, value, balanced(p, s, T, value, half), &slope);
-    if (!g->C[0]) return (theta(p, value) - theta(p, T)) / half;
+    if (!g->C[0]) return (theta(p, value) - theta(p, ftcs_face_temperature(p, T))) / half;
     return mean_of(g->o->mean, k, ftcs_face_law(p, value)) * (value - T) / half;
 }
 
@@ -158,7 +187,7 @@ void ftcs_face_refresh(struct ftcs_grid *g, const double *T) {
     do {
         const ptrdiff_t at = ftcs_at(g, i);
         for (ptrdiff_t k = 0; k < g->n[0]; k++)
-            g->law[at + k] = g->C[0] ? ftcs_face_law(p, T[at + k]) : theta(p, T[at + k]);
+            g->law[at + k] = g->C[0] ? ftcs_face_law(p, T[at + k]) : theta(p, ftcs_face_temperature(p, T[at + k]));
         i[0] = g->n[0] - 1;
     } while (ftcs_next(g, i));
     for (int a = 0; a < p->dim && g->C[0]; a++) refresh_axis(g, a);

@@ -159,6 +159,7 @@ void ftcs_fill(struct ftcs_grid *g) {
         double *T = &g->T[ftcs_at(g, i)];
         *T = g->round ? p->initial(p, x) : ftcs_sample(p, x, g->d, g->o->sampling);
         g->range[0] = fmin(g->range[0], *T), g->range[1] = fmax(g->range[1], *T);
+        *T = ftcs_face_state(p, *T);
         source = fmax(source, fmax(fabs(problem_source(p, x, 0)), fabs(problem_source(p, x, p->t_end))));
         if (p->source) {
             *T += g->start * p->source(p, x) / rho_c(g, i[0]);
@@ -169,7 +170,7 @@ void ftcs_fill(struct ftcs_grid *g) {
         if (p->source_at) g->warming[0][cell] = p->source_at(p, x, 0) / rho_c(g, i[0]);
         cell++;
     } while (ftcs_next(g, i));
-    g->data[0] = g->range[0], g->data[1] = g->range[1];
+    for (int k = 0; k < 2; k++) g->data[k] = ftcs_face_state(p, g->range[k]);
     g->inflow = source * p->t_end / g->rho_c;
     if (p->k_frozen) ftcs_face_refresh(g, g->T);
     ftcs_wall_data(g, 0);

@@ -31,7 +31,7 @@ static int check_options(const char *method, int with_fluxes, const struct probl
               periodic = !round && p->side[X_LO] == PERIODIC;
     const int staged = !round && (o->stepper == STEPPER_RK2 || o->stepper == STEPPER_RKL2);
     const int steps = matched || staged || o->stepper == STEPPER_AUTO || o->stepper == STEPPER_EULER;
-    const int tensor = problem_has_cross(p);
+    const int tensor = problem_has_cross(p), melts = p->k_law == K_PHASES;
     int open = 0; /* sides that are neither held nor periodic */
     for (int s = 0; s < 2 * p->dim; s++) open |= p->side[s] == NEUMANN || p->side[s] == ROBIN;
     int robin = 0;
@@ -65,6 +65,11 @@ static int check_options(const char *method, int with_fluxes, const struct probl
         {law && o->sampling == SAMPLING_SPLINE, "sampling", sampling, "takes one k; use point or cell"},
         {law && o->mean == MEAN_SERIES, "mean", "series",
          "is for two materials; use harmonic, arithmetic or kirchhoff"},
+        {melts && o->mean != MEAN_KIRCHHOFF && o->mean != MEAN_AUTO, "mean", mean_words[o->mean],
+         "a cell at the melting point has k = 0; use kirchhoff"},
+        {melts && (staged || o->sampling != SAMPLING_POINT), NULL, NULL,
+         "melts by steps of Euler's, which are monotone, from point values; use euler, point"},
+        {melts && p->k_frozen, NULL, NULL, "k of the initial temperature has no phases"},
         {!law && o->mean == MEAN_KIRCHHOFF, "mean", "kirchhoff", "is for k(T); use harmonic, arithmetic or series"},
         {tensor && (with_fluxes || round || two || law || p->source || p->source_at), NULL, NULL,
          "takes k_xy with one material in a box, without a source; use ftcs, so_ssph"},

@@ -316,7 +316,8 @@ static int refuse_unstable(const struct ftcs_grid *g, long long step, struct fai
              g->p->k_law ? "; use a smaller --dt" : "");
     problem_wall_pace(g->p, g->dt, pace);
     return refuse(why, STATUS_UNSTABLE, "%s: unstable at step %lld of %lld, t = %g s: T = %g K at %s%s", g->method,
-                  step, g->steps, g->start + (double)step * g->dt, g->T[ftcs_at(g, at)], place, *pace ? pace : limit);
+                  step, g->steps, g->start + (double)step * g->dt, ftcs_face_temperature(g->p, g->T[ftcs_at(g, at)]),
+                  place, *pace ? pace : limit);
 }
 
 int ftcs_run(struct ftcs_grid *g, struct failure *why) {

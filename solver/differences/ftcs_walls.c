@@ -115,7 +115,8 @@ void ftcs_wall_data(struct ftcs_grid *g, double t) {
                 g->inflow = fmax(g->inflow, fabs(value) * (extent / conducts(g, (enum side)s, place, a) +
                                                            p->t_end / g->rho_c / extent));
             else
-                g->data[0] = fmin(g->data[0], value), g->data[1] = fmax(g->data[1], value);
+                g->data[0] = fmin(g->data[0], ftcs_face_state(p, value)),
+                g->data[1] = fmax(g->data[1], ftcs_face_state(p, value));
         }
     }
 }

@@ -429,6 +429,8 @@ int nonlinear_solve(const struct method *m, const struct problem *p, const struc
     struct conduction *c = NULL;
     struct field f = {0};
     int rows;
+    if (p->k_law == K_PHASES)
+        return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; use ftcs", m->name, problem_nonlinearity(p));
     if (!operations[operation_of(m->scheme)])
         return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; use so_ssph, fo_ssph%s", m->name, problem_nonlinearity(p),
                       p->k_law ? ", brookshaw or ftcs" : " or brookshaw");

@@ -35,8 +35,11 @@ const char case_file_help[] =
     "                           vector b that varies; `reference` has k_x, k_y, k_xy, b_x and b_y at any point\n"
     "  k_par, k_perp            W/(m K): along b and across\n"
     "  k_law                    only if k depends on T, with u = T - k_ref: linear, k = k_0 (1 + k_beta u); power,\n"
-    "                           k = k_0 u^k_n, 0 for u <= 0.  k_x is then the largest k of the solution\n"
+    "                           k = k_0 u^k_n, 0 for u <= 0.  k_x is then the largest k of the solution; phases, a\n"
+    "                           solid for u < 0 and a liquid for u > 0 that melts at u = 0\n"
     "  k_0, k_beta, k_ref, k_n  W/(m K) (power: times K^-k_n), 1/K, K, 1: of that law\n"
+    "  latent                   J/m^3, of phases: latent heat\n"
+    "  k_phases, rho_c_phases   W/(m K), J/(m^3 K): of the solid, of the liquid\n"
     "  side_x_lo, side_x_hi, side_y_lo, side_y_hi, side_z_lo, side_z_hi\n"
     "                           dirichlet, K; neumann, W/m^2 into the body; robin, W/(m^2 K), K around: one value,\n"
     "                           or nine evenly along the side (of a box: 3 x 3 from edge to edge, x before y before\n"
@@ -98,6 +101,10 @@ static void write_materials(const struct image *image, FILE *out) {
         fprintf(out, "k_law = linear\nk_0 = %.17g\nk_beta = %.17g\nk_ref = %.17g\n", p->k_0, p->k_beta, p->k_ref);
     if (p->k_law == K_POWER)
         fprintf(out, "k_law = power\nk_0 = %.17g\nk_n = %.17g\nk_ref = %.17g\n", p->k_0, p->k_n, p->k_ref);
+    if (p->k_law != K_PHASES) return;
+    fprintf(out, "k_law = phases\nk_ref = %.17g\nlatent = %.17g\n", p->k_ref, p->latent);
+    write_list(out, "k_phases", p->phase_k, 2);
+    write_list(out, "rho_c_phases", p->phase_rho_c, 2);
 }
 
 /* Position `place` on a side in steps of 1/each of its extents, its first axis fastest; or around a round wall. */
