@@ -3,6 +3,7 @@
  * file.  A study is a row of the table. */
 #include "verification/cli/verb.h"
 
+#include "reports/field/field_study.h"
 #include "reports/front/front_study.h"
 #include "reports/index/index.h"
 #include "reports/ledger/claims.h"
@@ -44,10 +45,11 @@ static const struct study {
     {"stability", stability_write, NULL, NULL},
     {"walls", walls_study_write, NULL, NULL},
     {"front", front_study_write, NULL, NULL},
+    {"field", field_study_write, NULL, NULL},
     {"page", write_page, NULL, NULL},
 };
-static const char *const names[] = {"song",  "pamplona", "matched", "space", "operators", "stability",
-                                    "walls", "front",    "claims",  "page",  NULL};
+static const char *const names[] = {"song",  "pamplona", "matched", "space",  "operators", "stability",
+                                    "walls", "front",    "field",   "claims", "page",      NULL};
 
 static int write_study(const struct study *s, const char *dir, struct failure *why) {
     double start = omp_get_wtime();

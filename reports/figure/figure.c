@@ -70,6 +70,15 @@ static void write_lattice(const struct command_run *run, const struct figure_ser
     fprintf(out, "%.4g\n", 100 * run->result.error[NORM_L1]);
 }
 
+static void write_cloud(const struct command_run *run, FILE *out) {
+    const struct field *f = &run->field;
+    for (size_t i = 0; i < f->n; i++) {
+        double x[DIM_MAX];
+        field_place(f, i, x);
+        fprintf(out, "%.6g,%.6g,%.6g\n", x[0], x[1], f->T[i]);
+    }
+}
+
 /* A cloud at its points; a box in the layer nearest to z = at. */
 static void write_error(const struct command_run *run, double at, FILE *out) {
     const struct field *f = &run->field;
@@ -109,11 +118,17 @@ static void write_series(const struct figure_series *s, const struct command_run
         write_exact_lattice(run, s, out);
         return;
     }
-    figure_block(out, s->part == FIGURE_ERROR ? "x [m],y [m],|T - T_exact| [K]" : "x [m],T [K]", "%s", s->name);
+    figure_block(out,
+                 s->part == FIGURE_ERROR   ? "x [m],y [m],|T - T_exact| [K]"
+                 : s->part == FIGURE_CLOUD ? "x [m],y [m],T [K]"
+                                           : "x [m],T [K]",
+                 "%s", s->name);
     if (s->part == FIGURE_EXACT)
         write_exact(run, out);
     else if (s->part == FIGURE_CUT)
         write_cut(run, s->at, out);
+    else if (s->part == FIGURE_CLOUD)
+        write_cloud(run, out);
     else if (s->part == FIGURE_ERROR)
         write_error(run, s->at, out);
     else

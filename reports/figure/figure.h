@@ -18,6 +18,7 @@ enum figure_part {
     FIGURE_CUT,       /* `run`: x,T along y = at */
     FIGURE_EXACT,     /* `reference`: x,T finely, of a rod or along the y of --at */
     FIGURE_ISOTHERMS, /* `run`: x,y,T by rows, of the particles and of the exact solution; and E in % */
+    FIGURE_CLOUD,     /* `run`: x,y,T of the plane, in any order */
     FIGURE_ERROR,     /* `run`: x,y,|T - T_exact|; in space of the layer nearest to z = at, by rows */
     FIGURE_ROWS,      /* a row a value, of keys of the command's JSON (reading.h) */
 };

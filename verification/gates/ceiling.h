@@ -78,6 +78,9 @@ double ceiling_wave(const struct experiment *e, double units);
  * exp(-q^4)|, 1.211. */
 double ceiling_patch(const struct experiment *e);
 
+/* The same: K, T - Tm at the end on the circle r2 at theta = pi, the largest jump of T there. */
+double ceiling_patch_jump(const struct experiment *e);
+
 /* wave: sum w (q.x)^4/24, times kappa and t, of the decayed wave; of any tensor. */
 double ceiling_tensor(const struct experiment *e);
 

@@ -53,6 +53,12 @@ double ceiling_patch(const struct experiment *e) {
     return 1.211 * ceiling_param(e, "A") * edges * width / (4 * L * L * ceiling_param(e, "Tm"));
 }
 
+double ceiling_patch_jump(const struct experiment *e) {
+    const double kappa = ceiling_param(e, "k_par") / ceiling_param(e, "rho_c");
+    return ceiling_param(e, "A") *
+           erf(ceiling_param(e, "half") * ceiling_param(e, "r2") / (2 * sqrt(kappa * e->problem.t_end)));
+}
+
 /* ---- Two exact solutions ---- */
 
 /* The mean of |T of *q - T of *p| at their end times, divided by the mean of |T of *p|, at points of *p's box. */
