@@ -59,8 +59,8 @@ C_FILES := $(filter-out verification/examples/%,$(wildcard $(foreach d,solver re
   $(foreach e,[ch] inc,$(d)/*.$(e) $(d)/*/*.$(e)))))
 TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verification/unit/test_*.c))
 
-.PHONY: FORCE action all bench check claims clean codes coverage dist examples faults figures format front fuzz gallery \
-  help install league lint mutants nightly operators race report sanitize setup setup-peers stability static \
+.PHONY: FORCE action all bench check claims clean codes coverage dist examples faults field figures format front fuzz \
+  gallery help install league lint mutants nightly operators race report sanitize setup setup-peers stability static \
   test uninstall verify walls wheel
 
 ##@ Build and install
@@ -321,7 +321,8 @@ stability: ## Measure where methods fail and draw it, to reports/out
 operators: ## Measure the discrete Laplacians side by side on every cloud and draw it, to reports/out
 walls: ## Measure which treatment of walls keeps which order and draw it, to reports/out
 front: ## Measure which mean of k(T) lets a front move and draw it, to reports/out
-stability operators walls front: $(BUILD)/heatladder
+field: ## Measure conduction along a field and draw it, to reports/out
+stability operators walls front field: $(BUILD)/heatladder
 	@mkdir -p $(OUT)
 	$(Q)$(BUILD)/heatladder report $@ $(OUT)
 	$(Q)if command -v gnuplot >/dev/null; then for f in $(wildcard reports/$@/*.gp); do \
@@ -329,9 +330,9 @@ stability operators walls front: $(BUILD)/heatladder
 	else echo "$@: gnuplot is not here (make setup installs it); figures were not drawn"; fi
 
 # The figures that README.md and reports/README.md show.
-GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_work operators_growth walls_error walls_work front_means space_fig1
+GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_work operators_growth walls_error walls_work front_means field_patch field_error space_fig1
 
-gallery: report stability operators walls front ## Copy the figures that the README shows to reports/gallery
+gallery: report stability operators walls front field ## Copy the figures that the README shows to reports/gallery
 	@mkdir -p reports/gallery
 	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) reports/gallery/
 	$(Q)scripts/record $(BUILD)/heatladder reports/gallery/session.svg

@@ -128,5 +128,5 @@ static const struct command_syntax syntax = {"report", "[STUDY] [DIR]", "", "", 
 const struct verb verb_report = {
     &syntax, own, sizeof(struct report_options),
     "measure a study and write it into DIR: song, pamplona, matched, space (by default these four), operators, "
-    "stability, walls, front, claims; page: one page of all in DIR",
+    "stability, walls, front, field, claims; page: one page of all in DIR",
     act};

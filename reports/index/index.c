@@ -17,9 +17,9 @@ static const char *const simplest[] = {"rod-gauss",         "rod-step",       "r
                                        "disc-cooling"};
 enum { SIMPLEST = sizeof simplest / sizeof *simplest };
 
-static const char *const sections[] = {"Operators",       "Walls",     "Stability",
-                                       "Speed",           "Song 2018", "Pamplona 2019",
-                                       "The matched run", "In space",  "Statements of the papers"};
+static const char *const sections[] = {
+    "Operators", "Walls",         "Along a field",   "Stability", "Speed",
+    "Song 2018", "Pamplona 2019", "The matched run", "In space",  "Statements of the papers"};
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
 static int is_simple(const char *name) {
