@@ -36,6 +36,7 @@ struct point {
     double k_xy;           /* W m^-1 K^-1, of a field */
     double flux;           /* W m^-3, what walls of given flux add */
     double rate;           /* W m^-3 */
+    double heat;           /* J m^-3, from the melting point */
 };
 
 static int dim = 1, n[3] = {1, 1, 1}, source_changes, walls_change;
@@ -45,6 +46,9 @@ static char oracle[2048];
 /* k that depends on T, if the case has a k_law: k_0 (1 + k_beta u) or k_0 u^k_n, u = T - k_ref */
 static char k_law[16];
 static double k_0, k_beta, k_ref, k_n;
+/* k_law = phases: a solid below k_ref, a liquid above, by their enthalpy */
+static int phases;
+static double latent, k_phase[2], rho_c_phase[2]; /* solid, liquid */
 static char conductivity[16]; /* field: K is a tensor that varies */
 
 /* two materials on a rod: the place of their interface, and its resistance, if there is one */
@@ -81,6 +85,9 @@ static void read_case(const char *path) {
         sscanf(line, "k_beta = %lf", &k_beta);
         sscanf(line, "k_ref = %lf", &k_ref);
         sscanf(line, "k_n = %lf", &k_n);
+        sscanf(line, "latent = %lf", &latent);
+        sscanf(line, "k_phases = %lf, %lf", &k_phase[0], &k_phase[1]);
+        sscanf(line, "rho_c_phases = %lf, %lf", &rho_c_phase[0], &rho_c_phase[1]);
         sscanf(line, "interface = %lf", &interface);
         sscanf(line, "contact_resistance = %lf", &contact_resistance);
         sscanf(line, "conductivity = %15s", conductivity);
@@ -91,6 +98,7 @@ static void read_case(const char *path) {
     }
     fclose(f);
     source_changes = strcmp(source, "changing") == 0;
+    phases = strcmp(k_law, "phases") == 0;
     walls_change = strcmp(walls, "changing") == 0;
     for (int d = 0; d < dim; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
@@ -176,6 +184,22 @@ static void ask_scene(const char *path) {
     if (pclose(answers)) stop("heatladder reference failed");
 }
 
+static double heat_at(double T) {
+    double u = T - k_ref;
+    return rho_c_phase[u > 0] * u + (u > 0 ? latent : 0);
+}
+
+/* A cell is at the melting point while it takes its latent heat. */
+static double temperature_at(double heat) {
+    if (heat > latent) return k_ref + (heat - latent) / rho_c_phase[1];
+    return k_ref + fmin(heat, 0) / rho_c_phase[0];
+}
+
+/* T, or the integral of k from the melting point, W m^-1: the flux through a face is its difference. */
+static double potential(double T) {
+    return phases ? k_phase[T > k_ref] * (T - k_ref) : T;
+}
+
 static double k_at(double T) {
     double u = T - k_ref;
     if (strcmp(k_law, "linear") == 0) return k_0 * (1 + k_beta * u);
@@ -203,9 +227,10 @@ static void make_face(int c, int face, int e) {
     if (!is_wall) resistance += width[d] / (2 * beyond->axis[d].k);
     if (contact_resistance > 0 && (p->x[0] < interface) != (beyond->x[0] < interface))
         resistance += contact_resistance;
-    if (*k_law && is_wall)
+    if (phases) resistance = is_wall ? width[d] / 2 : width[d];
+    if (*k_law && !phases && is_wall)
         resistance = resistance_of_mean(p, width[d] / 2, beyond->axis[d].kind == HELD ? beyond->T : p->T);
-    if (*k_law && !is_wall) resistance = resistance_of_mean(p, width[d], beyond->T);
+    if (*k_law && !phases && !is_wall) resistance = resistance_of_mean(p, width[d], beyond->T);
     if (*conductivity) /* K at the face, the mean of both cells */
         resistance = is_wall ? width[d] / (2 * beyond->axis[d].k) : 2 * width[d] / (p->axis[d].k + beyond->axis[d].k);
     if (is_wall && beyond->axis[d].kind == COOLED) resistance += 1 / beyond->axis[d].b;
@@ -261,11 +286,15 @@ static void step_by(double dt) {
         for (int face = 0; face < 2 * dim; face++) {
             int distance = stride[face / 2];
             int e = face % 2 == 1 ? c + distance : c - distance;
-            p->rate += p->conductance[face] * (point[e].T - p->T);
+            p->rate += p->conductance[face] * (potential(point[e].T) - potential(p->T));
         }
     }
-    for (int c = 0; c < points; c++)
-        if (is_cell(c)) point[c].T += dt * point[c].rate / point[c].rho_c;
+    for (int c = 0; c < points; c++) {
+        struct point *p = &point[c];
+        if (!is_cell(c)) continue;
+        p->heat += dt * p->rate;
+        p->T = phases ? temperature_at(p->heat) : p->T + dt * p->rate / p->rho_c;
+    }
 }
 
 /* One block: a line a point, with the time and the point before its source. */
@@ -333,6 +362,7 @@ int main(int argc, char **argv) {
     make_points();
     write_points(path, 0);
     ask_scene(path);
+    for (struct point *p = point; p < point + points && phases; p++) p->heat = heat_at(p->T);
     int steps = (int)ceil(t_end * make_faces() / 0.25); /* half of what is stable */
     if (dt_asked > 0) steps = (int)ceil(t_end / dt_asked - 1e-9);
     run(path, frame, steps);

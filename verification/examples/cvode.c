@@ -73,6 +73,7 @@ static void read_case(const char *path) {
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
         if (strncmp(line, "contact_resistance", 18) == 0) exit(NOT_APPLICABLE);
         if (strncmp(line, "conductivity", 12) == 0) exit(NOT_APPLICABLE);
+        if (strncmp(line, "latent", 6) == 0) exit(NOT_APPLICABLE);
         if (strstr(line, "= periodic")) exit(NOT_APPLICABLE);
         if (dim == 3) exit(NOT_APPLICABLE);
     }

@@ -24,6 +24,8 @@ with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
 if {"shape", "contact_resistance", "conductivity"} & case.keys() or case["dim"] == "3" or "periodic" in case.values():
     sys.exit(77)  # rods and rectangles with walls alone
+if "latent" in case:
+    sys.exit(77)
 
 
 def numbers(key):
