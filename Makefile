@@ -10,7 +10,8 @@ ifeq ($(shell uname),Darwin)
 CC        = $(eval CC := $$(shell scripts/compiler))$(CC)
 endif
 endif
-CFLAGS   ?= -O3 -g
+# Lines for a profile or a backtrace; a debugger wants CFLAGS='-O0 -g'.
+CFLAGS   ?= -O3 -g1
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Wmissing-prototypes -Wstrict-prototypes
 ifdef WERROR
 WARN     += -Werror
@@ -152,7 +153,8 @@ $(BUILD)/libheatladder.a: $(LIB_OBJECTS)
 	$(Q)$(CC) -r -nostdlib -o $(BUILD)/library/heatladder.o $^ && { $(OBJCOPY) --localize-hidden $(BUILD)/library/heatladder.o 2>/dev/null || :; }
 	$(Q)$(AR) qcs $@ $(BUILD)/library/heatladder.o
 
-# Tests are linked with an archive, so that each takes the parts it needs.
+# Tests are linked with an archive, so that each takes the parts it needs.  Their own code takes longer to optimize
+# than to run.
 $(LIBRARY): $(PARTS)
 	@rm -f $@
 	$(Q)$(AR) qcs $@ $^
@@ -160,7 +162,7 @@ $(LIBRARY): $(PARTS)
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
 	@echo "  TEST  $@"
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(filter %.a %.so,$^) $(CMOCKA) $(ALL_LIBS) $(DEFINES)
+	$(Q)$(CC) $(patsubst -O3,-O1,$(ALL_CFLAGS)) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(filter %.a %.so,$^) $(CMOCKA) $(ALL_LIBS) $(DEFINES)
 
 $(BUILD)/unit/test_library: $(BUILD)/libheatladder.a
 

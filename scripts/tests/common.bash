@@ -22,6 +22,13 @@ expect() {
     grep -qe "$pattern" <<<"$output" || { echo "no line matches: $pattern"; return 1; }
 }
 
+judge() { # command of a program, words of verify: its rows hold
+    local command=$1
+    shift
+    export HEATLADDER=$program PYTHONPATH=$tree/scripts/python PYTHONDONTWRITEBYTECODE=1
+    expect 0 ' 0 failed, 0 inconclusive' heatladder verify --solver "$command {case} {out}" "$@"
+}
+
 # `stand_in NAME SCRIPT`: a command of that name, for this test alone.
 stand_in() {
     printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"

@@ -1,0 +1,34 @@
+#!/usr/bin/env bats
+# The adapters of public codes (make setup-peers) hold rows of the battery; `make codes` runs all rows.
+load common
+
+few='contact/plane,plane/cooled'
+with_module() { # module, example
+    python=$("$tree/scripts/interpreter" "$1")
+    [ -n "$python" ] || skip "$1 is not here (make setup-peers)"
+    judge "$python $tree/verification/examples/$2" --only "$few"
+}
+
+@test "heat_getfem.py" { with_module getfem heat_getfem.py; }
+@test "heat_petsc.py" { with_module petsc4py heat_petsc.py; }
+@test "heat_sfepy.py" { few=contact/steady with_module sfepy heat_sfepy.py; } # its runs take seconds
+
+@test "heat_calculix.py" {
+    needs ccx
+    with_module numpy heat_calculix.py
+}
+
+@test "heat_escript.py" {
+    needs run-escript
+    judge "run-escript $tree/verification/examples/heat_escript.py" --only "$few"
+}
+
+@test "heat_bim.m" {
+    octave-cli -q --eval 'pkg load bim' 2>/dev/null || skip "Octave's package bim is not here (make setup-peers)"
+    judge "octave-cli -q $tree/verification/examples/heat_bim.m" --only "$few"
+}
+
+@test "heat_desolve.R" {
+    Rscript -e 'library(deSolve)' 2>/dev/null || skip "R's package deSolve is not here (make setup-peers)"
+    judge "Rscript $tree/verification/examples/heat_desolve.R" --only "$few"
+}
