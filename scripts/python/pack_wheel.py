@@ -68,6 +68,12 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     return name
 
 
+def build_editable(wheel_directory, config_settings=None, metadata_directory=None):
+    sys.exit("heatladder: `pip install -e` has no program to carry; to use the checkout itself, set "
+             f"PYTHONPATH={HERE} HEATLADDER={HERE.parents[1]}/build/heatladder "
+             f"HEATLADDER_LIBRARY={HERE.parents[1]}/build/libheatladder.so")
+
+
 if __name__ == "__main__":
     os.makedirs(sys.argv[1], exist_ok=True)
     build_wheel(sys.argv[1])
