@@ -122,23 +122,45 @@ static void corner_slopes(const struct ftcs_grid *g, const ptrdiff_t *around, co
     }
 }
 
-/* Component a of K grad T, at lower faces or corners. */
-static void fluxes(const struct ftcs_grid *g, int a, const ptrdiff_t *around, const double *T) {
-    const struct problem *p = g->p;
-    const int corner = g->o->cross == CROSS_CORNER;
-    double constant[DIM_MAX][DIM_MAX], slope[DIM_MAX];
+/* Component a of K grad T, K m s^-1; `constant`, m^2 s^-1, unless K varies. */
+static double along(const struct ftcs_grid *g, double constant[DIM_MAX][DIM_MAX], int a, ptrdiff_t at,
+                    const double slope[DIM_MAX]) {
+    double sum = 0;
+    for (int b = 0; b < g->p->dim; b++) sum += (g->K[a][b] ? g->K[a][b][at] : constant[a][b]) * slope[b];
+    return sum;
+}
+
+/* Those at the lower corners: all components of one slope. */
+static void corner_fluxes(const struct ftcs_grid *g, double constant[DIM_MAX][DIM_MAX], const ptrdiff_t *around,
+                          const double *T) {
+    double slope[DIM_MAX];
     int i[DIM_MAX] = {0};
-    if (!p->direction) problem_tensor(p, p->lo, constant);
     do {
         const ptrdiff_t at = ftcs_at(g, i);
-        double sum = 0;
-        if (corner)
-            corner_slopes(g, around, T + at, slope);
-        else
-            face_slopes(g, a, T + at, slope);
-        for (int b = 0; b < p->dim; b++) sum += (g->K[a][b] ? g->K[a][b][at] : constant[a][b] / g->rho_c) * slope[b];
-        g->flux[a][at] = sum;
-    } while (next(g, corner ? (1u << p->dim) - 1 : 1u << a, i));
+        corner_slopes(g, around, T + at, slope);
+        for (int a = 0; a < g->p->dim; a++) g->flux[a][at] = along(g, constant, a, at, slope);
+    } while (next(g, (1u << g->p->dim) - 1, i));
+}
+
+/* That through the lower faces along a. */
+static void face_fluxes(const struct ftcs_grid *g, double constant[DIM_MAX][DIM_MAX], int a, const double *T) {
+    double slope[DIM_MAX];
+    int i[DIM_MAX] = {0};
+    do {
+        const ptrdiff_t at = ftcs_at(g, i);
+        face_slopes(g, a, T + at, slope);
+        g->flux[a][at] = along(g, constant, a, at, slope);
+    } while (next(g, 1u << a, i));
+}
+
+static void fluxes(const struct ftcs_grid *g, const ptrdiff_t *around, const double *T) {
+    const struct problem *p = g->p;
+    double constant[DIM_MAX][DIM_MAX] = {{0}};
+    if (!p->direction) problem_tensor(p, p->lo, constant);
+    for (int a = 0; a < DIM_MAX; a++)
+        for (int b = 0; b < DIM_MAX; b++) constant[a][b] /= g->rho_c;
+    if (g->o->cross == CROSS_CORNER) corner_fluxes(g, constant, around, T);
+    for (int a = 0; a < p->dim && g->o->cross == CROSS_FACE; a++) face_fluxes(g, constant, a, T);
 }
 
 /* K s^-1: the divergence of the fluxes around the cell `at`. */
@@ -161,7 +183,7 @@ void ftcs_cross(const struct ftcs_grid *g, double *T) {
     for (int k = 0; k < 1 << g->p->dim; k++)
         for (int a = 0; a < g->p->dim; a++) around[k] += (k >> a & 1) * g->stride[a];
     close_corners(g, T);
-    for (int a = 0; a < g->p->dim; a++) fluxes(g, a, around, T);
+    fluxes(g, around, T);
     do *rate++ = divergence(g, ftcs_at(g, i), around);
     while (ftcs_next(g, i));
 }
