@@ -49,8 +49,12 @@ int quantity_read(const char *text, const struct problem *p, struct quantity *q,
     const char *const *flux = p->shape ? round_flux : plane_flux;
     *q = (struct quantity){.kind = QUANTITY_HEAT};
     if (strncmp(text, "at:", 3) == 0) return read_place(text, p, q, why);
+    if (p->k_law == K_PHASES && strcmp(text, "front") == 0) {
+        q->kind = QUANTITY_FRONT;
+        return STATUS_OK;
+    }
     if (strcmp(text, "heat") == 0 && p->k_law == K_PHASES)
-        return refuse(why, STATUS_INPUT, "quantity 'heat': phases have latent heat too; use at:X or a flux");
+        return refuse(why, STATUS_INPUT, "quantity 'heat': phases have latent heat too; use front, at:X or a flux");
     if (strcmp(text, "heat") == 0) return STATUS_OK;
     for (int s = 0; s < 2 * p->dim; s++) {
         if (!shape_has_wall(p, s) || strcmp(text, flux[s]) != 0) continue;
@@ -60,12 +64,14 @@ int quantity_read(const char *text, const struct problem *p, struct quantity *q,
     char valid[100] = "";
     for (int s = 0; s < 2 * p->dim; s++)
         if (shape_has_wall(p, s)) strcat(strcat(valid, flux[s]), ", ");
+    if (p->k_law == K_PHASES) strcat(valid, "front, ");
     return refuse(why, STATUS_INPUT, "unknown quantity '%.60s' (valid: %sheat, at:%s)", text, valid,
                   point_form[p->dim]);
 }
 
 const char *quantity_unit(const struct quantity *q, const struct problem *p) {
     if (q->kind == QUANTITY_AT) return "K";
+    if (q->kind == QUANTITY_FRONT) return "m";
     if (q->kind == QUANTITY_HEAT) return p->dim == 1 ? "J/m^2" : p->dim == 2 ? "J/m" : "J";
     return p->dim == 1 ? "W/m^2" : p->dim == 2 ? "W/m" : "W";
 }
@@ -220,6 +226,20 @@ static struct quantity_value flux(struct field_at *f) {
     return integral(flux_density, f, p->dim - 1, lo, hi, size, &knots);
 }
 
+/* By bisection: T is monotone between the ends of a rod that a wall melts. */
+static struct quantity_value front(const struct field_at *f) {
+    const struct problem *p = f->now.problem;
+    double lo = p->lo[0], hi = p->hi[0];
+    const int melted = snapshot_at(&f->now, p->lo).temperature > p->k_ref;
+    for (;;) {
+        double middle = lo + (hi - lo) / 2;
+        if (middle == lo || middle == hi) break;
+        *((snapshot_at(&f->now, &middle).temperature > p->k_ref) == melted ? &lo : &hi) = middle;
+    }
+    struct exact e = snapshot_at(&f->now, &lo);
+    return (struct quantity_value){lo, hi - lo + e.error_bound / fabs(e.gradient[0]), 0};
+}
+
 struct quantity_value quantity_exact(const struct quantity *q, const struct scene *s, const struct problem *p,
                                      double t) {
     struct field_at f = {snapshot_take(s, p, t), q->side};
@@ -228,7 +248,7 @@ struct quantity_value quantity_exact(const struct quantity *q, const struct scen
         struct exact e = snapshot_at(&f.now, q->at);
         v = (struct quantity_value){e.temperature, e.error_bound, e.no_value};
     } else {
-        v = q->kind == QUANTITY_HEAT ? heat(&f) : flux(&f);
+        v = q->kind == QUANTITY_FRONT ? front(&f) : q->kind == QUANTITY_HEAT ? heat(&f) : flux(&f);
     }
     snapshot_free(&f.now);
     return v;

@@ -4,9 +4,10 @@
 
 #include "references/scene.h"
 
-/* Derived quantities of a temperature field: heat flux through a side, heat content, temperature at a point. */
+/* Derived quantities of a temperature field: heat flux through a side, heat content, temperature at a point, place
+ * of a front. */
 
-enum quantity_kind { QUANTITY_FLUX, QUANTITY_HEAT, QUANTITY_AT };
+enum quantity_kind { QUANTITY_FLUX, QUANTITY_HEAT, QUANTITY_AT, QUANTITY_FRONT };
 
 struct quantity {
     enum quantity_kind kind;
@@ -26,6 +27,7 @@ struct quantity_value {
  *   flux_r_lo, flux_r_hi                            the same through the inner or outer wall of a round body
  *   heat                                            rho_c T integrated over the body, J m^(dim-3)
  *   at:X, at:X,Y or at:X,Y,Z                        temperature at a point, K
+ *   front                                           place on a rod at the melting point of phases, m
  * A flux is k dT/dn at the end of a rod, W m^-2, or its integral over the side, W m^(dim-3).  Returns STATUS_OK or
  * STATUS_INPUT. */
 int quantity_read(const char *text, const struct problem *p, struct quantity *q, struct failure *why);

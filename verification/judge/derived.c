@@ -90,6 +90,22 @@ static int heat(const struct problem *p, struct interpolate *f, double dx, doubl
     return heat_between(p->interface, p->hi[0], p, f, dx, value, why);
 }
 
+/* From the points alone: the last one of the phase at x = lo, and the next one that is not of it. */
+static int front(const struct problem *p, const struct field *f, double *value, struct failure *why) {
+    double x[DIM_MAX], near[2] = {-INFINITY, INFINITY}, T[2] = {NAN, NAN}, first = INFINITY;
+    int melted = 0;
+    for (size_t i = 0; i < f->n; i++)
+        if (field_place(f, i, x)[0] < first) first = x[0], melted = f->T[i] > p->k_ref;
+    for (size_t i = 0; i < f->n; i++)
+        if ((melted ? f->T[i] > p->k_ref : f->T[i] < p->k_ref) && field_place(f, i, x)[0] > near[0])
+            near[0] = x[0], T[0] = f->T[i];
+    for (size_t i = 0; i < f->n; i++)
+        if (field_place(f, i, x)[0] > near[0] && x[0] < near[1]) near[1] = x[0], T[1] = f->T[i];
+    *value = near[0] + (p->k_ref - T[0]) / (T[1] - T[0]) * (near[1] - near[0]);
+    if (isfinite(*value)) return STATUS_OK;
+    return refuse(why, STATUS_NUMERICAL, "quantity 'front': no two points are on either side of %g K", p->k_ref);
+}
+
 int derived_value(const struct quantity *q, const struct problem *p, const struct field *field, double dx,
                   double *value, struct failure *why) {
     struct interpolate f = interpolate_begin("the field", field);
@@ -98,7 +114,9 @@ int derived_value(const struct quantity *q, const struct problem *p, const struc
         f.from = q->at[0] >= p->interface ? p->interface : -INFINITY;
         f.to = q->at[0] < p->interface ? p->interface : INFINITY;
     }
-    if (q->kind == QUANTITY_AT)
+    if (q->kind == QUANTITY_FRONT)
+        status = front(p, field, value, why);
+    else if (q->kind == QUANTITY_AT)
         status = interpolate_at(&f, q->at, value, NULL, why);
     else
         status = q->kind == QUANTITY_FLUX ? flux(q->side, p, &f, dx, value, why) : heat(p, &f, dx, value, why);

@@ -48,7 +48,7 @@ static void insulated_bodies_keep_their_heat(void **state) {
     for (const struct scene *const *s = scenes; *s; s++) {
         struct problem p;
         odd_setup(*s, &p);
-        if (p.k_law == K_PHASES) continue; /* latent heat too: refused */
+        if (p.k_law == K_PHASES) continue;    /* latent heat too: refused */
         if (strcmp((*s)->name, "plate") == 0) /* sides that agree: else their fluxes are infinite */
             p.param[2] = p.param[3] = p.param[4] = p.param[5];
         double t = 0.6 * p.t_end, dt = 0.02 * t, rate = 0, in = source_of(&p, t), size = fabs(in), error = 0;
@@ -76,6 +76,19 @@ static void insulated_bodies_keep_their_heat(void **state) {
  * rest is the bound of the temperatures; in space the rules differ by 1e-10
  * |T|, of a ball times r^2 sin(theta) over a box of angles of 4.7 times its volume.  Boxes are graded down to 4^-12
  * of a plate; kappa t is above that. */
+/* T there is the melting point, and s^2 is linear in time. */
+static void front_is_at_the_melting_point(void **state) {
+    (void)state;
+    struct problem p;
+    const struct scene *s = odd_find("melt", &p);
+    struct quantity_value end = of("front", s, &p, p.t_end), start = of("front", s, &p, 0);
+    assert_near(start.value, p.param[1], 1e-14);
+    assert_near(scene_exact(s, &p, &end.value, p.t_end).temperature, p.k_ref, 1e-14);
+    assert_order(end.error_bound, <, 1e-11);
+    double half = of("front", s, &p, p.t_end / 2).value;
+    assert_near(2 * half * half, start.value * start.value + end.value * end.value, 1e-13);
+}
+
 static void heat_bound_covers_narrow_features(void **state) {
     (void)state;
     for (const struct scene *const *s = scenes; *s; s++) {
@@ -229,6 +242,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(insulated_bodies_keep_their_heat),
         cmocka_unit_test(known_values),
+        cmocka_unit_test(front_is_at_the_melting_point),
         cmocka_unit_test(heat_bound_covers_narrow_features),
         cmocka_unit_test(plate_heat_equals_its_series),
         cmocka_unit_test(an_infinite_value_is_no_value),
