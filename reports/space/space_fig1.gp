@@ -1,6 +1,6 @@
 # The jump in space: slices through the error of two operators, and E1 of four methods against spacing.
 name = 'space_fig1'
-wide = 1180; high = 480
+wide = 1180; high = 500
 load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.955 center noenhanced font size_of(11)
@@ -19,7 +19,7 @@ unset grid
 unset key
 unset colorbox
 set tmargin at screen 0.86
-set bmargin at screen 0.21
+set bmargin at screen 0.25
 set lmargin at screen 0.055; set rmargin at screen 0.305
 set ylabel 'y  [m]' offset 1.5
 set title 'FO-SSPH' font size_of(11) offset 0,-0.6
@@ -29,7 +29,7 @@ set lmargin at screen 0.32; set rmargin at screen 0.57
 unset ylabel
 set format y ''
 set title 'SO-SSPH' font size_of(11) offset 0,-0.6
-set colorbox user origin screen 0.575, screen 0.21 size screen 0.012, screen 0.65
+set colorbox user origin screen 0.575, screen 0.25 size screen 0.012, screen 0.61
 set cblabel '|T_n − T_e|  [K]' offset 1
 plot data index 'slice, so_ssph' using 1:2:3 with image
 unset colorbox
@@ -42,7 +42,7 @@ set format y '10^{%T}'
 set xlabel 'dx  [m]'
 set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5
 set xrange [0.028:0.12]
-set yrange [1e-4:0.2]
+set yrange [1e-4:0.4]
 set xtics ('1/30' 1/30., 0.05, 0.1)
 set ytics autofreq
 set key at screen 0.893, screen 0.86 left top Left reverse vertical samplen 1.5
