@@ -127,8 +127,9 @@ $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BU
 	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
 # One file a width of vectors; the processor is asked at run time.
-$(BUILD)/solver/sweep/lanes4.o $(BUILD)/library/solver/sweep/lanes4.o: DEFINES += $(LANES4)
-$(BUILD)/solver/sweep/lanes8.o $(BUILD)/library/solver/sweep/lanes8.o: DEFINES += $(LANES8)
+$(BUILD)/solver/sweep/lanes%.o: DEFINES += -fPIC -fvisibility=hidden
+$(BUILD)/solver/sweep/lanes4.o: DEFINES += $(LANES4)
+$(BUILD)/solver/sweep/lanes8.o: DEFINES += $(LANES8)
 
 # The library: solvers and references on one thread, with memory that returns to the caller where it runs out
 # (references/library/guard.c).  Symbols other than hl_... are hidden in the .so and local in the .a.
@@ -143,6 +144,11 @@ $(BUILD)/library/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.
 	@mkdir -p $(@D)
 	@echo "  CC    $< (library)"
 	$(Q)$(CC) $(LIB_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
+
+# No threads, no memory: the library takes the program's.
+$(BUILD)/library/solver/sweep/lanes%.o: $(BUILD)/solver/sweep/lanes%.o
+	@mkdir -p $(@D)
+	$(Q)cp $< $@
 
 $(BUILD)/libheatladder.so: $(LIB_OBJECTS)
 	$(Q)$(CC) $(LDFLAGS) $(CFLAGS) -shared $(if $(filter Darwin,$(shell uname)),,-Wl,-soname,$(SONAME) -Wl,--version-script=references/library/heatladder.map) -o $@ $^ $(LIB_LIBS) -lm -pthread $(LDLIBS)

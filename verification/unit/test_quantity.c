@@ -98,7 +98,7 @@ static void heat_bound_covers_narrow_features(void **state) {
         int parts = p.dim == 3 ? 8 : 10, all = (int)pow(parts + 1, p.dim);
         double whole = shape_volume(&p);
         double rho_c = fmax(p.material[0].rho_c, p.material[1].rho_c);
-        for (double t = (p.dim == 3 ? 0.3 : 1e-10) * p.t_end; t < 2 * p.t_end; t *= 1e8) {
+        for (double t = (p.dim == 3 ? 0.6 : 1e-10) * p.t_end; t < 2 * p.t_end; t *= 1e8) {
             double most = 0, unknown = 0;
             for (int k = 0; k < all; k++) {
                 double x[DIM_MAX];

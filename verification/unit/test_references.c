@@ -375,7 +375,7 @@ static void gradient_equals_that_of_the_second_form(void **state) {
         odd_setup(s, &p);
         unsigned long random = 19;
         double worst = 0, largest = 0;
-        for (int trial = 0; trial < 30; trial++) {
+        for (int trial = 0; trial < 12; trial++) {
             double x[DIM_MAX], margin = 10 * odd->step;
             double t = odd->earliest + odd_random(&random) * fmax(0, p.t_end - odd->earliest);
             odd_point(&p, margin, &random, x);
