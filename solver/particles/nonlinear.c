@@ -21,6 +21,10 @@
  * stage. Without --dt a step is half of the stable one, or the stepper's own length, for the largest k of the state
  * at its start; a stepper that chooses its number of stages takes it from the same k.
  *
+ * Phases: brookshaw with kirchhoff's mean.  The state is U, the enthalpy from the melting point over rho_c of the
+ * material, from which T and theta follow.  The weights of a pair are positive and theta does not fall with U: steps
+ * of Euler's up to 1/(bound of the rates) are monotone; other steppers are refused.
+ *
  * Restrictions: one isotropic material, plane walls, --walls mirror, order 2. */
 #include "solver/particles/nonlinear.h"
 
@@ -37,8 +41,23 @@
 
 /* ---- Conductivity ---- */
 
+/* K: U of the temperature T, and T of U; for laws without phases both are T. */
+static double state_of(const struct problem *p, double T) {
+    const double u = T - p->k_ref, latent = u > 0 ? p->latent : u < 0 ? 0 : p->latent / 2;
+    return p->k_law == K_PHASES ? (p->phase_rho_c[u > 0] * u + latent) / p->material[0].rho_c : T;
+}
+
+static double temperature_of(const struct problem *p, double U) {
+    if (p->k_law != K_PHASES) return U;
+    const double heat = p->material[0].rho_c * U;
+    if (heat > p->latent) return p->k_ref + (heat - p->latent) / p->phase_rho_c[1];
+    return p->k_ref + fmin(heat, 0) / p->phase_rho_c[0];
+}
+
+/* With phases, d theta/dU. */
 double nonlinear_k(const struct problem *p, double T) {
     double u = T - p->k_ref;
+    if (p->k_law == K_PHASES) return p->material[0].rho_c * p->phase_k[u > 0] / p->phase_rho_c[u > 0];
     if (p->k_law == K_CONSTANT) return p->material[0].k[0];
     if (p->k_law == K_LINEAR) return fmax(0, p->k_0 * (1 + p->k_beta * u));
     return u > 0 ? p->k_0 * pow(u, p->k_n) : 0;
@@ -47,11 +66,13 @@ double nonlinear_k(const struct problem *p, double T) {
 double nonlinear_theta(const struct problem *p, double T) {
     double u = T - p->k_ref;
     if (p->k_law == K_CONSTANT) return p->material[0].k[0] * u;
+    if (p->k_law == K_PHASES) return p->phase_k[u > 0] * u;
     if (p->k_law == K_LINEAR) return p->k_0 * u * (1 + p->k_beta * u / 2);
     return u > 0 ? p->k_0 * u * pow(u, p->k_n) / (p->k_n + 1) : 0;
 }
 
 double nonlinear_T(const struct problem *p, double theta) {
+    if (p->k_law == K_PHASES) return p->k_ref + theta / p->phase_k[theta > 0];
     double part = theta / (p->k_law == K_CONSTANT ? p->material[0].k[0] : p->k_0);
     if (p->k_law == K_CONSTANT) return p->k_ref + part;
     if (p->k_law == K_LINEAR) return p->k_ref + 2 * part / (1 + sqrt(fmax(0, 1 + 2 * p->k_beta * part)));
@@ -102,9 +123,10 @@ static double exchange_wall(const struct problem *p, int side, double d, double 
 /* d^2 times the second derivative of theta across a held wall: rho_c dT/dt = theta_nn + theta_tt + G. */
 static double bend(const struct problem *p, int side, const double *foot, double d, double t) {
     enum side s = (enum side)side;
-    double across =
-        (p->wall_rate ? p->material[0].rho_c * p->wall_rate(p, s, foot, t) : 0) - problem_source(p, foot, t);
-    double along = 0, middle = p->dim > 1 ? nonlinear_theta(p, p->wall(p, s, foot, t)) : 0;
+    const double T = p->wall(p, s, foot, t);
+    const double rho_c = p->k_law == K_PHASES ? p->phase_rho_c[T > p->k_ref] : p->material[0].rho_c;
+    double across = (p->wall_rate ? rho_c * p->wall_rate(p, s, foot, t) : 0) - problem_source(p, foot, t);
+    double along = 0, middle = p->dim > 1 ? nonlinear_theta(p, T) : 0;
     for (int a = 0; a < p->dim; a++)
         for (int up = -1; up <= 1 && a != side / 2; up += 2) {
             double at[DIM_MAX] = {foot[0], foot[1], foot[2]};
@@ -122,7 +144,7 @@ static double reflect_theta(struct conduction *c, int side, const double *foot, 
         c->heating = fmax(c->heating, fabs(value) / (p->material[0].rho_c * extent));
         return theta + 2 * d * value;
     }
-    c->lo = fmin(c->lo, value), c->hi = fmax(c->hi, value);
+    c->lo = fmin(c->lo, state_of(p, value)), c->hi = fmax(c->hi, state_of(p, value));
     double curved = p->side[side] == DIRICHLET ? bend(p, side, foot, d, t) : 0;
     if (problem_law(p, side)->exchange) value = exchange_wall(p, side, d, value, theta, nonlinear_T(p, theta));
     c->most = fmax(c->most, nonlinear_k(p, value));
@@ -217,7 +239,8 @@ static void conduction_free(struct conduction *c) {
 static void set_points(struct conduction *c, const double *T, double t) {
     const struct problem *p = c->p;
     c->most = 0;
-    for (size_t i = 0; i < c->cloud.n; i++) c->T[i] = T[i], c->theta[i] = nonlinear_theta(p, T[i]);
+    for (size_t i = 0; i < c->cloud.n; i++)
+        c->T[i] = temperature_of(p, T[i]), c->theta[i] = nonlinear_theta(p, c->T[i]);
     for (size_t j = c->cloud.n; j < c->cloud.total; j++) {
         c->theta[j] = ghost_theta(c, j, t);
         c->T[j] = nonlinear_T(p, c->theta[j]);
@@ -350,7 +373,8 @@ static int check_range(const struct run *r, const double data[2], struct failure
             why, STATUS_UNSTABLE,
             "unstable: at step %lld (t = %.6g s) particle %zu at (%.6g, %.6g) m has %.4g K, the data are in "
             "[%.4g, %.4g] K; dt = %.6g s%s",
-            r->steps, r->t, i, x[0], x[1], r->T[i], lo, hi, r->dt, *pace ? pace : " is too large for k(T)");
+            r->steps, r->t, i, x[0], x[1], temperature_of(r->p, r->T[i]), lo, hi, r->dt,
+            *pace ? pace : " is too large for k(T)");
     }
     return STATUS_OK;
 }
@@ -418,6 +442,7 @@ static void set_start(const struct problem *p, const struct options *o, const st
         field_put(f, i, x);
         f->T[i] = sample_initial(p, o->sampling, l->dx, x);
         f->range[0] = fmin(f->range[0], f->T[i]), f->range[1] = fmax(f->range[1], f->T[i]);
+        f->T[i] = state_of(p, f->T[i]);
     }
 }
 
@@ -429,8 +454,11 @@ int nonlinear_solve(const struct method *m, const struct problem *p, const struc
     struct conduction *c = NULL;
     struct field f = {0};
     int rows;
-    if (p->k_law == K_PHASES)
-        return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; use ftcs", m->name, problem_nonlinearity(p));
+    if (p->k_law == K_PHASES && (operation_of(m->scheme) != PAIRS || given->mean != MEAN_KIRCHHOFF ||
+                                 given->sampling != SAMPLING_POINT || given->stepper != STEPPER_EULER))
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "%s: %s; use ftcs, or brookshaw with --mean kirchhoff, --stepper euler and --sampling point",
+                      m->name, problem_nonlinearity(p));
     if (!operations[operation_of(m->scheme)])
         return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; use so_ssph, fo_ssph%s", m->name, problem_nonlinearity(p),
                       p->k_law ? ", brookshaw or ftcs" : " or brookshaw");
@@ -443,9 +471,10 @@ int nonlinear_solve(const struct method *m, const struct problem *p, const struc
         for (int k = 0; k < 4; k++) r.state[k] = xcalloc(f.n, sizeof(double));
         f.heat[0] = total_heat(p, &f, layout_volume(&l));
         double loop = field_clock();
-        status = run_steps(&r, f.range, why);
+        status = run_steps(&r, (double[2]){state_of(p, f.range[0]), state_of(p, f.range[1])}, why);
         f.cost.step_seconds = field_clock() - loop;
         f.heat[1] = total_heat(p, &f, layout_volume(&l));
+        for (size_t i = 0; i < f.n; i++) f.T[i] = temperature_of(p, f.T[i]);
         f.time = p->t_end;
         set_counts(&r, &l, &f);
         for (int k = 0; k < 4; k++) free(r.state[k]);

@@ -296,6 +296,7 @@ static double rounding(const struct experiment *e, const struct field *f) {
 static int solve(struct experiment *e, struct field *f, struct time_step *stepping, struct failure *why) {
     struct options *o = &e->options;
     int given = o->dt > 0 || o->fourier > 0 || e->problem.t_end <= 0, particles = e->method->scheme != NULL;
+    const enum stepper_name given_stepper = o->stepper;
     const int melts = e->problem.k_law == K_PHASES; /* the front's cell leaves more than steps, and no order in dt */
     if (o->stepper == STEPPER_AUTO) {
         o->stepper = stepper_auto(particles, o->dt > 0 || o->fourier > 0, 1);
@@ -306,6 +307,7 @@ static int solve(struct experiment *e, struct field *f, struct time_step *steppi
         if (open) o->stepper = stepper_auto(particles, 0, 0);
         if (!particles && !given && !e->problem.shape && !melts) o->stepper = STEPPER_RKL2;
     }
+    if (melts && o->stepper != given_stepper) o->stepper = STEPPER_EULER;
     const struct stepper *stepper = stepper_of(o->stepper);
     if (stepper->evolve) stepping->time_error = 0;
     if (o->stepper == stepper_without_error(0) && !given) return solve_by_polynomials(e, f, stepping, why);
