@@ -4,6 +4,9 @@
 
 #include <stdlib.h>
 #include <string.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 int blocks_run(size_t n, int threads,
                int (*work)(void *context, int b, size_t begin, size_t end, struct failure *why), void *context,
@@ -32,6 +35,18 @@ static void list_free(struct blocks_list *l) {
     l->point = NULL, l->value = NULL;
 }
 
+/* Gives the pages of a large list back at once: glibc keeps freed pages below the end of the heap. */
+static void list_return(struct blocks_list *l) {
+    size_t bytes = l->room * (sizeof *l->point + sizeof *l->value);
+    list_free(l);
+#ifdef __GLIBC__
+    const size_t large = 1 << 20;
+    if (bytes >= large) malloc_trim(0);
+#else
+    (void)bytes;
+#endif
+}
+
 size_t blocks_list_join(struct blocks_list part[BLOCKS], size_t n, size_t *begin, uint32_t **point, double **value) {
     size_t total = 0;
     for (size_t i = 0; i < n; i++) begin[i + 1] += begin[i];
@@ -39,12 +54,12 @@ size_t blocks_list_join(struct blocks_list part[BLOCKS], size_t n, size_t *begin
     *point = xcalloc(total, sizeof **point);
     *value = xcalloc(total, sizeof **value);
     size_t at = total;
-    for (int b = BLOCKS - 1; b >= 0; b--) { /* last first: the end of the heap returns to the system */
+    for (int b = BLOCKS - 1; b >= 0; b--) {
         if (part[b].n == 0) continue;
         at -= part[b].n;
         memcpy(*point + at, part[b].point, part[b].n * sizeof **point);
         memcpy(*value + at, part[b].value, part[b].n * sizeof **value);
-        list_free(&part[b]);
+        list_return(&part[b]);
     }
     return total;
 }

@@ -151,7 +151,7 @@ int main(int, char **arguments) {
     for (std::string line; std::getline(file, line);) {
         auto key = line.substr(0, line.find(" = ")), value = line.substr(key.size() + 3);
         words[key] = value;
-        for (const char *word : {"shape", "k_law", "k_xy", "contact_resistance", "periodic", "changing"})
+        for (const char *word : {"shape", "k_law", "k_xy", "conductivity", "contact_resistance", "periodic", "changing"})
             if (key == word || value == word) return 77; // boxes with walls, and data that stay
     }
     int dim = list_of(words["dim"])[0];

@@ -81,7 +81,7 @@ class Case(Dict[str, Any]):
     @property
     def is_plain(self) -> bool:
         """A box with walls, without data that change in time, k(T), a tensor k or a resistance between materials."""
-        more = {"shape", "k_law", "k_xy", "contact_resistance"}
+        more = {"shape", "k_law", "k_xy", "conductivity", "contact_resistance"}
         return not (more & self.keys() or {"periodic", "changing"} & {str(word) for word in self.values()})
 
     @property

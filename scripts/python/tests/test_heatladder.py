@@ -196,6 +196,7 @@ def test_a_case_has_sides_and_steps():
     assert (case.is_plain, case.steps(0.3), heatladder.Case(case, dt=0.1).steps(0.3)) == (False, 4, 10)
     assert heatladder.Case(case, side_y_hi="neumann, 0").is_plain
     assert not heatladder.Case(case, side_y_hi="neumann, 0", source="changing").is_plain
+    assert not heatladder.Case(case, conductivity="field").is_plain
 
 
 def test_reference_takes_a_width_for_each_point():
