@@ -24,9 +24,11 @@ static int stays(const struct fault_fit *c) {
 }
 
 /* Faults that a more common fault often explains as well: a clock with the same offset at every spacing (T depends
- * on kappa t only: a conductivity), and a coefficient of arbitrary size (one in the place of another). */
+ * on kappa t only: a conductivity), a coefficient of arbitrary size (one in the place of another), and initial data
+ * of another size (a decay that is a little longer). */
 static int is_rare(const struct fault_fit *c) {
-    return (c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0) || fault_rows[c->fault.kind].is & FAULT_RARE;
+    return (c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0) || c->fault.kind == FAULT_START_SIZE ||
+           fault_rows[c->fault.kind].is & FAULT_RARE;
 }
 
 /* 1 if a is preferred to b: its size is more nearly constant or, if both are equally constant, it explains more. */

@@ -633,7 +633,9 @@ double fault_probe(const struct problem *p, struct fault fault) {
 
 int fault_can_be(const struct problem *p, struct fault fault, double size) {
     static const double SIGN = 0.1; /* largest distance from -2 that counts as a wrong sign */
+    static const double FAR = 0.25; /* times the extent: beyond, responses are not proportional */
     const struct fault_row *row = &fault_rows[fault.kind];
+    if (row->unit == UNIT_LENGTH && fabs(size) > FAR * fault_scale(p, fault)) return 0;
     if (row->least == 0 || size > row->least * fault_scale(p, fault)) return 1;
     return (row->is & FAULT_SIGN) && fabs(size + 2) < SIGN;
 }
