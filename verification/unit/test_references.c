@@ -455,6 +455,7 @@ static int power_of(const char *unit, struct powers by) {
     if (strcmp(unit, "W/m^2/K") == 0) return -by.length;
     if (strcmp(unit, "m^2 K/W") == 0) return by.length;
     if (strcmp(unit, "W/m^2") == 0) return by.temperature - by.length;
+    if (strcmp(unit, "W/m^3") == 0) return by.temperature - 2 * by.length;
     if (strcmp(unit, "m/s") == 0) return -by.length;
     if (strcmp(unit, "1/K") == 0) return -by.temperature;
     if (strcmp(unit, "K/s") == 0) return by.temperature - 2 * by.length;
