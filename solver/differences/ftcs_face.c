@@ -96,7 +96,7 @@ static double phase_kappa(const struct problem *p, int liquid) {
 }
 
 /* 1 for a cell at the melting point */
-static int melts(const struct problem *p, double U) {
+static int is_melting(const struct problem *p, double U) {
     return U >= 0 && U <= p->latent / p->material[0].rho_c;
 }
 
@@ -109,12 +109,12 @@ double ftcs_face_state(const struct problem *p, double T) {
 double ftcs_face_temperature(const struct problem *p, double U) {
     if (p->k_law != K_PHASES) return U;
     const double heat = p->material[0].rho_c * U;
-    return p->k_ref + (melts(p, U) ? 0 : (U > 0 ? heat - p->latent : heat) / p->phase_rho_c[U > 0]);
+    return p->k_ref + (is_melting(p, U) ? 0 : (U > 0 ? heat - p->latent : heat) / p->phase_rho_c[U > 0]);
 }
 
 /* W m^-1 K^-1, of a state */
 double ftcs_face_law(const struct problem *p, double T) {
-    if (p->k_law == K_PHASES) return melts(p, T) ? 0 : phase_kappa(p, T > 0) * p->material[0].rho_c;
+    if (p->k_law == K_PHASES) return is_melting(p, T) ? 0 : phase_kappa(p, T > 0) * p->material[0].rho_c;
     double u = T - p->k_ref, k = p->k_law == K_LINEAR ? p->k_0 * (1 + p->k_beta * u) : p->k_0;
     if (p->k_law == K_POWER) k *= u > 0 ? pow(u, p->k_n) : 0;
     return k > 0 ? k : 0;
@@ -183,11 +183,14 @@ static void refresh_axis(struct ftcs_grid *g, int a) {
 /* theta, or k and the conductances, of the state T. */
 void ftcs_face_refresh(struct ftcs_grid *g, const double *T) {
     const struct problem *p = g->p;
+    const int melts = p->k_law == K_PHASES;
     int i[DIM_MAX] = {0};
     do {
         const ptrdiff_t at = ftcs_at(g, i);
-        for (ptrdiff_t k = 0; k < g->n[0]; k++)
-            g->law[at + k] = g->C[0] ? ftcs_face_law(p, T[at + k]) : theta(p, ftcs_face_temperature(p, T[at + k]));
+        for (ptrdiff_t k = 0; k < g->n[0] && !g->C[0] && !melts; k++) g->law[at + k] = theta(p, T[at + k]);
+        for (ptrdiff_t k = 0; k < g->n[0] && melts; k++)
+            g->law[at + k] = theta(p, ftcs_face_temperature(p, T[at + k]));
+        for (ptrdiff_t k = 0; k < g->n[0] && g->C[0]; k++) g->law[at + k] = ftcs_face_law(p, T[at + k]);
         i[0] = g->n[0] - 1;
     } while (ftcs_next(g, i));
     for (int a = 0; a < p->dim && g->C[0]; a++) refresh_axis(g, a);

@@ -237,10 +237,11 @@ static void conduction_free(struct conduction *c) {
 /* ---- Rates ---- */
 
 static void set_points(struct conduction *c, const double *T, double t) {
+    const int phases = c->p->k_law == K_PHASES;
     const struct problem *p = c->p;
     c->most = 0;
     for (size_t i = 0; i < c->cloud.n; i++)
-        c->T[i] = temperature_of(p, T[i]), c->theta[i] = nonlinear_theta(p, c->T[i]);
+        c->T[i] = phases ? temperature_of(p, T[i]) : T[i], c->theta[i] = nonlinear_theta(p, c->T[i]);
     for (size_t j = c->cloud.n; j < c->cloud.total; j++) {
         c->theta[j] = ghost_theta(c, j, t);
         c->T[j] = nonlinear_T(p, c->theta[j]);

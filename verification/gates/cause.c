@@ -30,7 +30,12 @@ static int is_in_space(const struct problem *p, double aspect) {
 
 static int has_law(const struct problem *p, double aspect) {
     (void)aspect;
-    return p->k_law != K_CONSTANT;
+    return p->k_law != K_CONSTANT && p->k_law != K_PHASES;
+}
+
+static int has_phases(const struct problem *p, double aspect) {
+    (void)aspect;
+    return p->k_law == K_PHASES;
 }
 
 static int has_cross(const struct problem *p, double aspect) {
@@ -80,7 +85,7 @@ static int is_steady(const struct problem *p, double aspect) {
 }
 
 /* Classes of problems first: what a code has a branch for. */
-enum { CLASSES = 8, OBLONG = 10 };
+enum { CLASSES = 9, OBLONG = 11 };
 static const struct {
     int (*has)(const struct problem *p, double aspect);
     const char *in, *all; /* "in space"; "all rows that do not pass ..." */
@@ -88,6 +93,7 @@ static const struct {
                 {is_plane, "in the plane", "are in the plane"},
                 {is_in_space, "in space", "are in space"},
                 {has_law, "for k(T)", "have k(T)"},
+                {has_phases, "with latent heat", "have latent heat"},
                 {has_two, "with two materials", "have a second material"},
                 {has_moving, "with walls that change", "have walls that change"},
                 {has_periodic, "with periodic sides", "have periodic sides"},
