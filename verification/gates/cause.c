@@ -206,10 +206,10 @@ static void print_shared(const struct rows *rows, const struct diagnosis *found,
     *text = '\0';
     if (side >= 0)
         snprintf(text, size,
-                 "the errors of %d rows that do not pass are in the layer of cells beside side %s, along %c", failing,
-                 sides[side], "xyz"[side / 2]);
+                 "the errors of all rows that do not pass (%d) are beside side %s, in one layer of cells along %c",
+                 failing, sides[side], "xyz"[side / 2]);
     else if (what >= 0)
-        snprintf(text, size, "all %d rows that do not pass %s%s", failing, features[what].all,
+        snprintf(text, size, "all rows that do not pass (%d) %s%s", failing, features[what].all,
                  passing(rows, 1u << what, 1) ? "" : ", and no other row does");
 }
 
