@@ -117,6 +117,13 @@ ROWS
     expect 4 'slope' heatladder ladder rod-gauss mine --results cases --dx 1,0.5
 }
 
+@test "a row of another order, a code of another order, words in one argument" {
+    expect 2 'is a row of --order 2' heatladder verify --solver 'true {case} {out}' --order 4 --only walls/cooled
+    expect 1 'converge with order 2: --order 2' heatladder verify --solver "$examples/cells_c {case} {out}" --order 4 \
+        --only 'walls/insulated,smooth/gauss'
+    expect 2 'split it at blanks' heatladder reference "rod-cooling --at 0.1 --time 1"
+}
+
 action() { # inputs of the action as NAME=VALUE...
     mkdir -p action
     cp "$tree/scripts/action/verify.sh" action/

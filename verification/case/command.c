@@ -61,6 +61,8 @@ static int take_scene(struct command *c, const char *name, struct failure *why) 
         scene_defaults(c->experiment.scene, &c->experiment.problem);
         return STATUS_OK;
     }
+    if (strchr(name, ' '))
+        return refuse(why, STATUS_INPUT, "'%.60s' is one argument, and should be several: split it at blanks", name);
     for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
     return words_unknown(names, "scene", name, why);
 }

@@ -39,7 +39,7 @@ const struct verb *verb_find(const char *name); /* NULL if there is none */
 /* The row of --csv, the same. */
 #define CSV_OPTION(place, ...)                                                                                       \
     {                                                                                                                \
-        "csv", "FILE", "write " __VA_ARGS__ " as CSV, columns as in JSON with their units; - for standard output",   \
+        "csv", "FILE", "write " __VA_ARGS__ " as CSV, with the columns of JSON; - for standard output",   \
             option_text, place                                                                                       \
     }
 

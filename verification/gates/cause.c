@@ -231,6 +231,21 @@ static int is_open(const struct measured *m) {
     return m->verdict == VERDICT_FAIL || m->verdict == VERDICT_INCONCLUSIVE;
 }
 
+/* Whether all rows that do not pass are of a higher order and have the slope of second order. */
+static int are_of_order_two(const struct gates *g) {
+    static const double band[2] = {1.5, 2.9};
+    int n = 0;
+    for (int i = 0; i < g->declared; i++) {
+        const struct measured *m = &g->result[i].measured;
+        const struct gate *gate = &g->result[i].gate;
+        if (!is_open(m)) continue;
+        if (strcmp(gate->measure, "order") != 0 || !(gate->lo > band[1])) return 0;
+        if (!(m->value >= band[0] && m->value <= band[1])) return 0;
+        n++;
+    }
+    return n;
+}
+
 void gates_diagnose(struct gates *g) {
     struct diagnosis *found = xcalloc((size_t)g->declared + 1, sizeof *found);
     struct rows rows = {g->declared, xcalloc((size_t)g->declared + 1, sizeof *rows.row), ~0u};
@@ -247,7 +262,11 @@ void gates_diagnose(struct gates *g) {
         if (row->fails) rows.shared &= row->has;
     }
     *g->diagnosis = '\0';
-    if (failing) {
+    if (are_of_order_two(g)) {
+        snprintf(g->diagnosis, sizeof g->diagnosis, "all %d rows that do not pass converge with order 2: --order 2",
+                 failing);
+        for (int i = 0; i < g->declared; i++) *g->result[i].measured.diagnosis = '\0';
+    } else if (failing) {
         int class = telling(&rows, 0, CLASSES, g->declared);
         struct headline h = headline_choose(found, failing, contradict, &rows);
         if (rows.shared & 1u << OBLONG && passing(&rows, 1u << OBLONG, 1) == 0)

@@ -6,6 +6,7 @@
 #include "solver/status.h"
 #include "solver/words.h"
 #include "verification/case/command.h"
+#include "verification/gates/battery.h"
 #include "verification/gates/ceiling.h"
 #include "verification/text/output.h"
 #include "verification/text/shell.h"
@@ -136,10 +137,24 @@ static void suggest(const struct gates *g, const char *glob, char *hint, size_t 
     free(name);
 }
 
+/* Orders of the battery that have the row, or one that the pattern matches: 1, 2, 4 or their sum. */
+static int orders_of(const char *glob) {
+    int orders = 0;
+    for (const struct battery_row *row = battery_table; row->orders; row++)
+        if (fnmatch(glob, row->id, 0) == 0) orders |= row->orders;
+    return orders;
+}
+
 /* option: only or skip */
 static int none_matches(const struct gates *g, const char *option, const char *glob, struct failure *why) {
     char hint[100];
-    int file = g->origin && strncmp(g->origin, "--gates", 7) == 0;
+    int file = g->origin && strncmp(g->origin, "--gates", 7) == 0, orders = g->origin && !file ? orders_of(glob) : 0;
+    if (orders)
+        return refuse(why, STATUS_INPUT, "--%s: '%.60s' is a row of --order %d, not of these (%.200s)", option, glob,
+                      orders & 2   ? 2
+                      : orders & 1 ? 1
+                                   : 4,
+                      g->origin);
     suggest(g, glob, hint, sizeof hint);
     return refuse(why, STATUS_INPUT, "--%s: no gate matches '%.60s'%s (see: %s%.200s)", option, glob, hint,
                   file ? "" : "heatladder list ",
