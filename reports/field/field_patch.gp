@@ -1,14 +1,14 @@
 # The patch on its ring, exact and by three methods, in one scale of colours: what is below the range of the start is
 # blue.
 name = 'field_patch'
-wide = 1180; high = 440
+wide = 1180; high = 470
 load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.965 center noenhanced font size_of(13)
 unset bmargin
 unset key
 unset grid
-set multiplot layout 1,4 margins screen 0.06, 0.915, 0.2, 0.84 spacing screen 0.012, 0.05
+set multiplot layout 1,4 margins screen 0.06, 0.915, 0.25, 0.85 spacing screen 0.012, 0.05
 set size ratio -1
 set xrange [-1:0.1]
 set yrange [-0.8:0.8]
@@ -22,7 +22,7 @@ titles = '"exact" "ftcs, faces" "ftcs, corners" "so_ssph"'
 do for [k = 1:4] {
     set title word(titles, k) noenhanced font size_of(11) offset 0,-0.6
     if (k == 1) { set ylabel 'y  [m]' offset 1 } else { unset ylabel; set format y '' }
-    if (k == 4) { set colorbox user origin screen 0.925, 0.24 size screen 0.013, 0.56 } else { unset colorbox }
+    if (k == 4) { set colorbox user origin screen 0.925, 0.28 size screen 0.013, 0.54 } else { unset colorbox }
     plot data index word(blocks, k) using 1:(abs($3 - 1) < 0.003 ? NaN : $2):3 with points pt 5 ps (k == 1 ? 0.75 : 0.9) * P lc palette
     unset label 98; unset label 99
 }
