@@ -107,7 +107,8 @@ $(BUILD)/published.inc: $(PUBLISHED) Makefile
 X86    = $(eval X86 := $$(filter x86_64%,$$(shell $$(CC) -dumpmachine)))$(X86)
 LANES4 = $(if $(X86),-mavx2)
 LANES8 = $(if $(X86),-mavx512f)
-FLAGS  = $(CC) $(ALL_CFLAGS) $(LANES4) $(LANES8) $(LDFLAGS) $(ALL_LIBS)
+HIDDEN = -fPIC -fvisibility=hidden
+FLAGS  = $(CC) $(ALL_CFLAGS) $(HIDDEN) $(LANES4) $(LANES8) $(LDFLAGS) $(ALL_LIBS)
 GIVEN := $(filter environment command override,$(foreach v,CC CPPFLAGS CFLAGS LDFLAGS LDLIBS WERROR,$(origin $(v))))
 ifneq ($(filter setup,$(MAKECMDGOALS)),) # pkg-config may not be here yet
 $(BUILD)/flags: FORCE
@@ -127,7 +128,7 @@ $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BU
 	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
 # One file a width of vectors; the processor is asked at run time.
-$(BUILD)/solver/sweep/lanes%.o: DEFINES += -fPIC -fvisibility=hidden
+$(BUILD)/solver/sweep/lanes%.o: DEFINES += $(HIDDEN)
 $(BUILD)/solver/sweep/lanes4.o: DEFINES += $(LANES4)
 $(BUILD)/solver/sweep/lanes8.o: DEFINES += $(LANES8)
 
@@ -135,7 +136,7 @@ $(BUILD)/solver/sweep/lanes8.o: DEFINES += $(LANES8)
 # (references/library/guard.c).  Symbols other than hl_... are hidden in the .so and local in the .a.
 LIB_SOURCES := $(filter-out solver/out_of_memory.c,$(filter solver/% references/%,$(SOURCES))) $(wildcard references/library/*.c)
 LIB_OBJECTS := $(LIB_SOURCES:%.c=$(BUILD)/library/%.o)
-LIB_CFLAGS   = $(filter-out -fopenmp,$(ALL_CFLAGS)) -Wno-unknown-pragmas -Wno-unused-parameter -fPIC -fvisibility=hidden $(foreach f,calloc realloc free,-D$f=guard_$f)
+LIB_CFLAGS   = $(filter-out -fopenmp,$(ALL_CFLAGS)) -Wno-unknown-pragmas -Wno-unused-parameter $(HIDDEN) $(foreach f,calloc realloc free,-D$f=guard_$f)
 LIB_LIBS     = $(PKG_LIBS)
 SONAME       = libheatladder.so.$(firstword $(subst ., ,$(VERSION)))
 OBJCOPY     ?= objcopy
