@@ -82,15 +82,22 @@ static int is_skipped(const struct gate_result *r) {
     return r->measured.verdict == VERDICT_SKIPPED;
 }
 
-/* One line for all that are skipped for the reason of the gate i, where i is the first of them. */
-static void print_skipped(const struct gates *g, int i) {
+/* One line for all that are skipped for the reason of the gate i, where i is the first of them: their names, or their
+ * number where it is large and not all is wanted. */
+static void print_skipped(const struct gates *g, int i, int all) {
+    enum { MANY = 10 };
     const char *reason = g->result[i].measured.reason;
-    for (int k = 0; k < i; k++)
-        if (is_skipped(&g->result[k]) && strcmp(g->result[k].measured.reason, reason) == 0) return;
-    printf("\n%s", g->result[i].gate.id);
-    for (int k = i + 1; k < g->declared; k++)
+    int number = 0;
+    for (int k = 0; k < g->declared; k++)
+        if (is_skipped(&g->result[k]) && strcmp(g->result[k].measured.reason, reason) == 0) {
+            if (k < i) return;
+            number++;
+        }
+    printf("\n");
+    if (number > MANY && !all) printf("%d gates (--verbose: their names)", number);
+    for (int k = i; k < g->declared && (number <= MANY || all); k++)
         if (is_skipped(&g->result[k]) && strcmp(g->result[k].measured.reason, reason) == 0)
-            printf(", %s", g->result[k].gate.id);
+            printf("%s%s", k > i ? ", " : "", g->result[k].gate.id);
     printf(": skipped: %s\n", reason);
 }
 
@@ -103,7 +110,7 @@ void print_gates(const struct gates *g, int all, double seconds) {
     for (int i = 0; i < g->declared; i++)
         if (gates_fails(&g->result[i])) print_failure(&g->result[i], all);
     for (int i = 0; i < g->declared; i++)
-        if (is_skipped(&g->result[i])) print_skipped(g, i);
+        if (is_skipped(&g->result[i])) print_skipped(g, i, all);
     if (*g->diagnosis) printf("\ndiagnosis: %s\n", g->diagnosis);
     if (g->interrupted)
         printf("\ninterrupted by signal %d: %d of %d rows were judged\n", g->interrupted, g->executed, g->planned);
