@@ -271,6 +271,13 @@ static int has_coefficient(const struct problem *p, int at) {
     return at == FAULT_ALL_SIDES ? cooled_sides(p) >= 2 : is_cooled(p, at);
 }
 
+static int has_air(const struct problem *p, int at) {
+    (void)at;
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (is_cooled(p, s) && has_value(p, s)) return 1;
+    return 0;
+}
+
 int fault_is_pace(const struct problem *p) {
     for (int s = 0; s < 2 * p->dim; s++)
         if (p->side[s] == ROBIN || (p->side[s] == NEUMANN && has_value(p, s))) return 0;
@@ -541,6 +548,11 @@ static void wall(struct faulty *f) {
     for (int s = 0; s < 2 * f->problem.dim; s++)
         if (f->fault.at == s || (f->fault.at == FAULT_ALL_SIDES && f->right->side[s] == NEUMANN))
             f->wall[s] = 1 + f->size;
+}
+
+static void air(struct faulty *f) {
+    for (int s = 0; s < 2 * f->problem.dim; s++)
+        if (f->right->side[s] == ROBIN) f->wall[s] = 1 + f->size;
 }
 
 static void loads(struct faulty *f) {

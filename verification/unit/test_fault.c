@@ -93,6 +93,18 @@ static void sides_and_corners_have_faults_of_their_own(void **state) {
     }
 }
 
+/* Air that is lost is that of all Robin sides, and of no other. */
+static void air_is_of_robin_sides(void **state) {
+    (void)state;
+    struct problem p = problem_of("rod-cooling"), cold = problem_of("plate-cooling"); /* air at 0 K */
+    struct faulty with;
+    const double lo = p.lo[0], hi = p.hi[0];
+    assert_true(faulty_make(&p, (struct fault){FAULT_AIR, 0}, -1, &with));
+    assert_near(with.problem.wall(&with.problem, X_HI, &hi, 0), 0, 0);
+    assert_near(with.problem.wall(&with.problem, X_LO, &lo, 0), p.wall(&p, X_LO, &lo, 0), 0);
+    assert_false(faulty_make(&cold, (struct fault){FAULT_AIR, 0}, -1, &with));
+}
+
 /* A rod has no y, a body of one material no second, an oblong cannot be transposed, and an absent part has no
  * fault. */
 static void faults_apply_to_existing_parts_only(void **state) {
@@ -277,6 +289,7 @@ int main(void) {
         cmocka_unit_test(conductivity_and_pace_differ_by_sources_fluxes_and_air),
         cmocka_unit_test(probe_sizes_along_y_use_the_extent_of_y),
         cmocka_unit_test(sides_and_corners_have_faults_of_their_own),
+        cmocka_unit_test(air_is_of_robin_sides),
         cmocka_unit_test(faults_apply_to_existing_parts_only),
         cmocka_unit_test(stretched_bodies_keep_walls_and_sources),
         cmocka_unit_test(starts_move_along_y),
