@@ -39,8 +39,8 @@ const struct verb *verb_find(const char *name); /* NULL if there is none */
 /* The row of --csv, the same. */
 #define CSV_OPTION(place, ...)                                                                                       \
     {                                                                                                                \
-        "csv", "FILE", "write " __VA_ARGS__ " as CSV, with the columns of JSON; - for standard output",   \
-            option_text, place                                                                                       \
+        "csv", "FILE", "write " __VA_ARGS__ " as CSV, with the columns of JSON; - for standard output", option_text, \
+            place                                                                                                    \
     }
 
 /* Refuses an unknown verb and suggests the nearest one or its replacement. */

@@ -45,8 +45,8 @@ const char program_help[] =
     "\n"
     "--results DIR judges existing answers: DIR/SCENE/DX/out.csv (or out.npy, out.dat), beside\n"
     "the case files of `heatladder case SCENE --dx A,B,C --into DIR`.  With --set it first looks for\n"
-    "DIR/SCENE/NAME=VALUE,.../DX, as `heatladder case --battery` writes it.  A file `status` there with the number 77\n"
-    "in place of an answer says that the program cannot run the case.\n";
+    "DIR/SCENE/NAME=VALUE,.../DX, as `heatladder case --battery` writes it.  A file `status` there with the\n"
+    "number 77 in place of an answer says that the program cannot run the case.\n";
 
 /* Maps points and temperatures to other axes and units with mapping_to_scene and mapping_temperature_back, or
  * back. */
