@@ -1,7 +1,7 @@
 # The largest Euler step against the angle of the field.
 name = 'field_step'
-high = 520
-keys = 2
+high = 545
+keys = 3
 load 'reports/figure/style.gp'
 set xlabel 'angle of b with the axis x  [degrees]'
 set ylabel 'dt κ∥/dx²  [-]' offset 0.5
