@@ -82,20 +82,26 @@ int measures_ladder(const struct command *r, double lo, double hi, struct ladder
     return STATUS_OK;
 }
 
-/* For a picture of the errors of a row that does not hold; takes the field over. */
-static void keep_field(const struct experiment *e, struct field *f, struct measured *m) {
-    if (m->verdict == VERDICT_PASS || f->n == 0) return;
+/* For a picture of a row that does not hold: takes the field over.  Returns 1, with m->due to be filled, or 0 where
+ * there is nothing to draw. */
+static int keep_answer(struct field *f, const char *due_is, struct measured *m) {
+    if (m->verdict == VERDICT_PASS || f->n == 0) return 0;
     m->field = *f;
     *f = (struct field){0};
-    m->exact = xcalloc(m->field.n, sizeof *m->exact);
-    norms_exact(e->scene, &e->problem, &m->field, m->exact);
+    m->due = xcalloc(m->field.n, sizeof *m->due);
+    snprintf(m->due_is, sizeof m->due_is, "%s", due_is);
+    return 1;
+}
+
+static void keep_field(const struct experiment *e, struct field *f, struct measured *m) {
+    if (keep_answer(f, "exact", m)) norms_exact(e->scene, &e->problem, &m->field, m->due);
 }
 
 void measures_free(struct measured *m) {
     field_free(&m->field);
-    free(m->exact);
+    free(m->due);
     free(m->found.evidence);
-    m->exact = NULL, m->found.evidence = NULL;
+    m->due = NULL, m->found.evidence = NULL;
 }
 
 void measures_slope(const struct command *r, double lo, double hi, struct measured *m) {
@@ -295,24 +301,20 @@ static void skip(struct measured *m, const char *text) {
     measures_fail(m, &why);
 }
 
-/* Runs the same case twice.  Returns 1 if the answers can be compared, with their relative difference and the
- * largest |T|, K.  The second run is not kept, so that it cannot read the answer of the first. */
-static int run_twice(const struct experiment *e, struct result *first, double apart[NORM_QUANTITY], double *largest,
+/* Runs the same case twice, into two fields that the caller frees.  Returns 1 if the answers can be compared, with
+ * their relative difference.  The second run is not kept, so that it cannot read the answer of the first. */
+static int run_twice(const struct experiment *e, struct result *first, struct field f[2], double apart[NORM_QUANTITY],
                      struct measured *m) {
     struct experiment again = *e;
     struct result second;
-    struct field a = {0}, b = {0};
     int comparable = 0;
     again.program.keep = NULL;
     if (!e->program.solver) {
         skip(m, "needs --solver: --results has one run");
-    } else if (!measures_run(e, first, &a, m) && !measures_run(&again, &second, &b, m)) {
-        comparable = self_difference_fields(&e->problem, &a, &b, apart);
+    } else if (!measures_run(e, first, &f[0], m) && !measures_run(&again, &second, &f[1], m)) {
+        comparable = self_difference_fields(&e->problem, &f[0], &f[1], apart);
         if (!comparable) skip(m, "the points differ from run to run");
-        *largest = field_largest(&a);
     }
-    field_free(&a);
-    field_free(&b);
     return comparable;
 }
 
@@ -322,12 +324,15 @@ static void judge_noise(const struct command *r, const struct ladder *l, struct 
     struct measured tried = *m;
     double apart[NORM_QUANTITY];
     struct result first;
+    struct field f[2] = {{0}, {0}};
     struct diagnosis d;
-    double largest, error = ladder_finest_error(l), ceiling = r->rungs.ceiling;
+    double error = ladder_finest_error(l), ceiling = r->rungs.ceiling;
     e.options.dt = l->x[l->n - 1];
     e.program.keep = NULL;
-    if (!e.program.solver || !run_twice(&e, &first, apart, &largest, &tried)) return;
-    if (!(apart[NORM_L1] > JUDGE_NOISE * error) || !diagnosis_repeat(apart[NORM_LINF], largest, &d)) return;
+    int differ = e.program.solver && run_twice(&e, &first, f, apart, &tried) &&
+                 apart[NORM_L1] > JUDGE_NOISE * error && diagnosis_repeat(apart[NORM_LINF], field_largest(&f[0]), &d);
+    for (int k = 0; k < 2; k++) field_free(&f[k]);
+    if (!differ) return;
     if (ceiling > 0 && error - 3 * apart[NORM_L1] > ceiling) return;
     measures_diagnosed(m, &d);
     snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
@@ -422,15 +427,34 @@ void measures_error(const struct command *r, double lo, double hi, struct measur
 void measures_repeat(const struct command *r, double lo, double hi, struct measured *m) {
     double apart[NORM_QUANTITY];
     struct result first;
+    struct field f[2] = {{0}, {0}};
     struct diagnosis d;
-    double largest;
-    if (!run_twice(&r->experiment, &first, apart, &largest, m)) return;
-    measures_judge(m, apart[NORM_LINF] / largest, lo, hi);
-    m->error = first.error[NORM_L1];
-    if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart[NORM_LINF], largest, &d)) {
-        measures_diagnosed(m, &d);
-        snprintf(m->reason, sizeof m->reason, "%s; where that is meant, --skip this row", m->diagnosis);
-        m->verdict = VERDICT_INCONCLUSIVE;
+    if (run_twice(&r->experiment, &first, f, apart, m)) {
+        double largest = field_largest(&f[0]);
+        measures_judge(m, apart[NORM_LINF] / largest, lo, hi);
+        m->error = first.error[NORM_L1];
+        if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart[NORM_LINF], largest, &d)) {
+            measures_diagnosed(m, &d);
+            snprintf(m->reason, sizeof m->reason, "%s; where that is meant, --skip this row", m->diagnosis);
+            m->verdict = VERDICT_INCONCLUSIVE;
+        }
+        if (keep_answer(&f[0], "second run", m)) self_difference_other(&m->field, &f[1], m->due);
+    }
+    for (int k = 0; k < 2; k++) field_free(&f[k]);
+}
+
+/* For a picture of temperatures with few digits: each beside its rounding to those, decimal or of 24 bits, and room
+ * for half a unit of the last digit, over which full precision would scatter. */
+static void keep_digits(struct field *given, int digits, double off, struct measured *m) {
+    char name[sizeof m->due_is], text[NUMBER_PRINTED];
+    const double largest = field_largest(given);
+    snprintf(name, sizeof name, "T to %d digits", digits);
+    if (!(largest > 0) || !keep_answer(given, name, m)) return;
+    m->due_scale = 0.5 * pow(10, floor(log10(largest)) + 1 - digits);
+    for (size_t i = 0; i < m->field.n; i++) {
+        const double T = m->field.T[i];
+        snprintf(text, sizeof text, "%.*e", digits - 1, T);
+        m->due[i] = fabs(T - (float)T) <= off ? (float)T : strtod(text, NULL);
     }
 }
 
@@ -452,6 +476,7 @@ void measures_digits(const struct command *r, double lo, double hi, struct measu
         }
         measures_judge(m, digits, lo, hi);
         if (single) measures_diagnosed(m, &d);
+        keep_digits(&given, digits, off, m);
         field_free(&given);
     }
     field_free(&f);

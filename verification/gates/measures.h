@@ -36,7 +36,9 @@ struct measured {
     char diagnosis[340];    /* in words; "" if none is named */
     struct rungs rungs;
     struct field field; /* owned: the finest answer of a row that does not hold; n = 0: none */
-    double *exact;      /* owned: K, at its points */
+    double *due;        /* owned: K, at its points, what the answer is compared with */
+    char due_is[40];    /* "exact", "second run", "T to 7 digits" */
+    double due_scale;   /* K: a difference that a picture must have room for; 0: none */
 };
 
 struct measure {

@@ -27,6 +27,7 @@ static const double LEAST = 0.05; /* smallest significant order */
 
 struct place {
     double x[DIM_MAX], T, w;
+    size_t i;
 };
 
 static int by_place(const void *a, const void *b) {
@@ -41,7 +42,7 @@ static struct place *sorted(const struct field *f) {
     struct place *at = xcalloc(f->n, sizeof *at);
     for (size_t i = 0; i < f->n; i++) {
         field_place(f, i, at[i].x);
-        at[i].T = f->T[i], at[i].w = f->weight ? f->weight[i] : 1;
+        at[i].T = f->T[i], at[i].w = f->weight ? f->weight[i] : 1, at[i].i = i;
     }
     qsort(at, f->n, sizeof *at, by_place);
     return at;
@@ -100,6 +101,13 @@ int self_difference_fields(const struct problem *p, const struct field *a, const
     free(at);
     free(of);
     return same;
+}
+
+void self_difference_other(const struct field *a, const struct field *b, double *T) {
+    struct place *at = sorted(a), *of = sorted(b);
+    for (size_t k = 0; k < a->n; k++) T[at[k].i] = of[k].T;
+    free(at);
+    free(of);
 }
 
 int self_difference_errors(const struct problem *p, const struct field *field, const double *dt, struct ladder *l,

@@ -23,4 +23,7 @@ int self_difference_errors(const struct problem *p, const struct field *field, c
 int self_difference_fields(const struct problem *p, const struct field *a, const struct field *b,
                            double apart[NORM_QUANTITY]);
 
+/* T[i], K, of *b at point i of *a: the same points in any order. */
+void self_difference_other(const struct field *a, const struct field *b, double *T);
+
 #endif

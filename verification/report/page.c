@@ -61,8 +61,11 @@ static void put_failure(const struct gate_result *r, FILE *out) {
     html_command(out, r->typed);
     fprintf(out, "<div class=\"panels\">\n");
     picture_ladder(out, &r->measured.rungs, &r->gate);
-    if (r->measured.field.n) picture_field(out, &r->measured.field, r->measured.exact);
+    if (r->measured.field.n) picture_field(out, &r->measured);
     fprintf(out, "</div>\n");
+    if (r->measured.due_scale > 0)
+        fprintf(out, "<p class=\"faint\">With more digits the difference would scatter over %.1g K either way.</p>\n",
+                r->measured.due_scale);
     put_rungs(&r->measured.rungs, out);
 }
 

@@ -7,6 +7,7 @@
 #include "verification/gates/gates.h"
 #include "verification/text/html.h"
 
+#include <ctype.h>
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -125,31 +126,35 @@ static size_t choose(const struct field *f, size_t *chosen) {
     return kept;
 }
 
-static double difference(const struct field *f, const double *exact, size_t i) {
-    return f->T[i] - exact[i];
+static double difference(const struct measured *m, size_t i) {
+    return m->field.T[i] - m->due[i];
 }
 
-static void put_profile(FILE *out, const struct field *f, const double *exact, const size_t *at, size_t n,
-                        int apart) {
+static void put_profile(FILE *out, const struct measured *m, const size_t *at, size_t n, int apart) {
     struct axis x = axis_none(0), y = axis_none(0);
+    const struct field *f = &m->field;
+    char title[100], beside[60];
     for (size_t k = 0; k < n; k++) {
         widen(&x, f->x[0][at[k]]);
-        widen(&y, apart ? difference(f, exact, at[k]) : f->T[at[k]]);
-        if (!apart) widen(&y, exact[at[k]]);
+        widen(&y, apart ? difference(m, at[k]) : f->T[at[k]]);
+        if (!apart) widen(&y, m->due[at[k]]);
     }
     if (!(y.hi >= y.lo)) return;
+    if (apart && m->due_scale > 0) widen(&y, -m->due_scale), widen(&y, m->due_scale);
     relax_ends(&x), relax_ends(&y);
-    open_panel(out, apart ? "T less exact" : "T (dots), exact (crosses)");
+    snprintf(title, sizeof title, apart ? "T less %s" : "T (dots), %s (crosses)", m->due_is);
+    snprintf(beside, sizeof beside, apart ? "T - %s [K]" : "T [K]", m->due_is);
+    open_panel(out, title);
     double r = n > CROWD ? 1.2 : 2.5;
     for (size_t k = 0; k < n; k++) {
-        double here = x_of(&x, f->x[0][at[k]]), value = apart ? difference(f, exact, at[k]) : f->T[at[k]];
+        double here = x_of(&x, f->x[0][at[k]]), value = apart ? difference(m, at[k]) : f->T[at[k]];
         if (isfinite(value))
             fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%g\" fill=\"#d55e00\"/>", here, y_of(&y, value), r);
-        if (!apart && isfinite(exact[at[k]]))
+        if (!apart && isfinite(m->due[at[k]]))
             fprintf(out, "<path d=\"M%.1f %.1fl%g %gm0 %gl%g %g\" stroke=\"#0072b2\"/>", here - r,
-                    y_of(&y, exact[at[k]]) - r, 2 * r, 2 * r, -2 * r, -2 * r, 2 * r);
+                    y_of(&y, m->due[at[k]]) - r, 2 * r, 2 * r, -2 * r, -2 * r, 2 * r);
     }
-    put_frame(out, &x, &y, "x [m]", apart ? "T - exact [K]" : "T [K]");
+    put_frame(out, &x, &y, "x [m]", beside);
     fprintf(out, "</svg>\n");
 }
 
@@ -191,30 +196,35 @@ static void put_map(FILE *out, const struct field *f, const double *value, const
     fprintf(out, "</svg>\n");
 }
 
-static void put_maps(FILE *out, const struct field *f, const double *exact, const size_t *at, size_t n) {
-    double *apart = xcalloc(f->n, sizeof *apart), range[2] = {DBL_MAX, -DBL_MAX}, gap[2] = {DBL_MAX, -DBL_MAX};
-    for (size_t i = 0; i < f->n; i++) apart[i] = difference(f, exact, i);
+static void put_maps(FILE *out, const struct measured *m, const size_t *at, size_t n) {
+    const struct field *f = &m->field;
+    const double *due = m->due, room = m->due_scale > 0 ? m->due_scale : -DBL_MAX;
+    double *apart = xcalloc(f->n, sizeof *apart), range[2] = {DBL_MAX, -DBL_MAX}, gap[2] = {-room, room};
+    char title[60], less[60];
+    snprintf(title, sizeof title, "%c%s", toupper((unsigned char)m->due_is[0]), m->due_is + 1);
+    snprintf(less, sizeof less, "T less %s", m->due_is);
+    for (size_t i = 0; i < f->n; i++) apart[i] = difference(m, i);
     for (size_t k = 0; k < n; k++) {
         if (!isfinite(apart[at[k]])) continue;
-        range[0] = fmin(range[0], fmin(f->T[at[k]], exact[at[k]])),
-        range[1] = fmax(range[1], fmax(f->T[at[k]], exact[at[k]]));
+        range[0] = fmin(range[0], fmin(f->T[at[k]], due[at[k]]));
+        range[1] = fmax(range[1], fmax(f->T[at[k]], due[at[k]]));
         gap[0] = fmin(gap[0], apart[at[k]]), gap[1] = fmax(gap[1], apart[at[k]]);
     }
     if (range[1] >= range[0]) {
         put_map(out, f, f->T, at, n, 0, "T", range);
-        put_map(out, f, exact, at, n, 0, "Exact", range);
-        put_map(out, f, apart, at, n, 1, "T less exact", gap);
+        put_map(out, f, due, at, n, 0, title, range);
+        put_map(out, f, apart, at, n, 1, less, gap);
     }
     free(apart);
 }
 
-void picture_field(FILE *out, const struct field *f, const double *exact) {
-    size_t *at = xcalloc(f->n + 1, sizeof *at), n = choose(f, at);
-    if (f->dim == 1) {
-        put_profile(out, f, exact, at, n, 0);
-        put_profile(out, f, exact, at, n, 1);
+void picture_field(FILE *out, const struct measured *m) {
+    size_t *at = xcalloc(m->field.n + 1, sizeof *at), n = choose(&m->field, at);
+    if (m->field.dim == 1) {
+        put_profile(out, m, at, n, 0);
+        put_profile(out, m, at, n, 1);
     } else {
-        put_maps(out, f, exact, at, n);
+        put_maps(out, m, at, n);
     }
     free(at);
 }

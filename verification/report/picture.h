@@ -6,15 +6,15 @@
 
 #include <stdio.h>
 
-struct field;
 struct gate;
+struct measured;
 struct rungs;
 
 /* The errors over the spacing, log-log, with the band of the slope from the coarsest rung and the ceiling. */
 void picture_ladder(FILE *out, const struct rungs *l, const struct gate *gate);
 
-/* T, the exact temperature and their difference: profiles on a rod, maps in the plane, and in space maps of the layer
- * in the middle.  `exact`, K: at the points of the field; NAN: no value there. */
-void picture_field(FILE *out, const struct field *f, const double *exact);
+/* T, what it is compared with (exact temperatures, a second run, its rounding; NAN: no value there) and their
+ * difference: profiles on a rod, maps in the plane, and in space maps of the layer in the middle. */
+void picture_field(FILE *out, const struct measured *m);
 
 #endif

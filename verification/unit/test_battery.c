@@ -173,7 +173,8 @@ static void faults_hidden_in_one_field_are_diagnosed(void **state) {
         struct measured m;
         gates_judge(&g.result[0].gate, &program, &m);
         if (!strstr(m.diagnosis, says[k])) fail_msg("%s: '%s'", rows[k], m.diagnosis);
-        if (k > 0 && (m.field.n == 0 || !isfinite(m.exact[0]))) fail_msg("%s has no picture", rows[k]);
+        if (m.field.n == 0 || !isfinite(m.due[0])) fail_msg("%s has no picture", rows[k]);
+        if (k == 0) assert_near(field_farthest(&m.field, m.due), m.found.size, 0);
         measures_free(&m);
         gates_free(&g);
     }
@@ -188,6 +189,23 @@ static void faults_hidden_in_one_field_are_diagnosed(void **state) {
     command_free(&r);
     ladder_free(l);
     free(l);
+}
+
+/* Numbers of single precision of at most 1.25 K: half a unit of the last of 7 digits is 5e-7 K. */
+static void few_digits_have_a_picture(void **state) {
+    (void)state;
+    char command[300];
+    snprintf(command, sizeof command, "%s --solve cell mean 0.25 single {case} {out}", self);
+    struct program program = {.label = "mine", .solver = command};
+    struct gate gate = {.measure = "digits", .command = "run rod-cosine mine --dx 1/40", .lo = 8, .hi = 10};
+    struct measured m;
+    gates_judge(&gate, &program, &m);
+    assert_int_equal(m.verdict, VERDICT_FAIL);
+    assert_string_equal(m.due_is, "T to 7 digits");
+    assert_near(m.due_scale, 5e-7, 1e-20);
+    assert_int_equal(m.field.n, 40);
+    assert_near(field_farthest(&m.field, m.due), 0, 0);
+    measures_free(&m);
 }
 
 /* The cases of `case --battery` are complete, and their answers get the verdicts of a live run. */
@@ -417,6 +435,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(ceilings_follow_the_five_point_difference),
         cmocka_unit_test(bounds_follow_the_draw),
         cmocka_unit_test(faults_hidden_in_one_field_are_diagnosed),
+        cmocka_unit_test(few_digits_have_a_picture),
         cmocka_unit_test(written_cases_and_live_runs_agree),
         cmocka_unit_test(own_time_steps_are_skipped),
         cmocka_unit_test(printed_command_repeats_a_failure),

@@ -269,7 +269,7 @@ static void pictures_have_one_mark_a_point(void **state) {
         }
         f.T[4] = NAN, exact[5] = NAN;
         FILE *out = begin();
-        picture_field(out, &f, exact);
+        picture_field(out, &(struct measured){.field = f, .due = exact, .due_is = "exact"});
         fclose(out);
         assert_int_equal(times("<svg"), dim == 1 ? 2 : 3);
         assert_int_equal(dim == 1 ? times("<circle") + times("<path") : times("fill=\"#"), dim == 1   ? 50
@@ -277,6 +277,29 @@ static void pictures_have_one_mark_a_point(void **state) {
                                                                                                       : 3 * 9 - 4);
         assert_lacks(text, "nan");
         field_free(&f);
+    }
+}
+
+/* The titles name what T is compared with; the difference has room for a scale that it does not reach. */
+static void pictures_name_what_they_compare(void **state) {
+    (void)state;
+    for (int dim = 1; dim <= 2; dim++) {
+        struct gate_result r = failed_ladder();
+        struct measured *m = &r.measured;
+        double same[4] = {1, 2, 3, 4};
+        field_alloc(&m->field, dim, 4);
+        for (size_t i = 0; i < 4; i++)
+            field_put(&m->field, i, (double[DIM_MAX]){(double)(i % 2) + (dim == 1 ? (double)i : 0), (double)(i / 2)}),
+                m->field.T[i] = same[i];
+        m->due = same, m->due_scale = 5e-7;
+        snprintf(m->due_is, sizeof m->due_is, "T to 7 digits");
+        const char *page = page_of(&(struct gates){.declared = 1, .result = &r});
+        unlink(path_of("v.csv"));
+        assert_has(page, dim == 1 ? ">T (dots), T to 7 digits (crosses)<" : ">T to 7 digits: 1 to 4 K<");
+        assert_has(page, dim == 1 ? ">T less T to 7 digits<" : ">T less T to 7 digits: -5e-07 to 5e-07 K<");
+        assert_has(page, "the difference would scatter over 5e-07 K either way.</p>");
+        if (dim == 1) assert_has(page, ">5.6e-07<");
+        field_free(&m->field);
     }
 }
 
@@ -310,6 +333,7 @@ int main(void) {
         cmocka_unit_test(ladder_page_has_table_and_command),
         cmocka_unit_test(index_lists_existing_parts),
         cmocka_unit_test(pictures_have_one_mark_a_point),
+        cmocka_unit_test(pictures_name_what_they_compare),
         cmocka_unit_test(ladder_picture_has_band_and_ceiling),
     };
     assert_non_null(scratch_directory(folder, "heatladder_page"));
