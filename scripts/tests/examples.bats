@@ -7,6 +7,12 @@ cells='smooth/gauss,contact/rod,plane/source'
 
 @test "cells.c" { judge "$examples/cells_c" --only "$cells,plane/changing,driven/*,nonlinear/blast*,melt/*"; }
 
+@test "cells.c along a field, by fluxes at faces and at corners" {
+    judge "$examples/cells_c" --only 'field/aligned,field/walls'
+    expect 0 ' 0 failed, 0 inconclusive' heatladder verify --solver "$examples/cells_c {case} {out} corner" \
+        --only 'field/aligned,field/walls'
+}
+
 @test "cells.f90" {
     [ -x "$examples/cells_f90" ] || skip "gfortran is not here"
     judge "$examples/cells_f90" --only "$cells"

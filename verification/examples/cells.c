@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* cells CASE OUT: finite volumes on a grid of cells, explicit Euler.
+/* cells CASE OUT [corner]: finite volumes on a grid of cells, explicit Euler.
  *
  *     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
  *
@@ -56,6 +56,13 @@ static double interface, contact_resistance;
 
 static struct point *point; /* cells and frame */
 static int points, stride[3];
+
+/* A tensor with `corner` as the third argument: K, and the flux K grad T, at the lower corner of each cell, along
+ * x and y; else its fluxes are those through faces. */
+static struct corner {
+    double k_x, k_xy, k_y; /* W m^-1 K^-1 */
+    double flux[2];        /* W m^-2 */
+} *corner;
 
 static void stop(const char *reason) {
     fprintf(stderr, "cells: %s\n", reason);
@@ -128,13 +135,18 @@ static void make_points(void) {
         }
 }
 
-/* Writes the points, or those of the frame alone, into a file that `reference` reads. */
-static void write_points(const char *path, int frame) {
+enum { ALL, FRAME, CORNERS };
+
+/* Writes the points, those of the frame alone, or the lower corner of each, into a file that `reference` reads. */
+static void write_points(const char *path, int which) {
     FILE *f = need(fopen(path, "w"), "the points cannot be written");
     fprintf(f, "x,y,z,dx,dy,dz\n"); /* `reference` skips the columns that the case does not have */
     for (int c = 0; c < points; c++) {
-        if (frame && is_cell(c)) continue;
-        for (int d = 0; d < 3; d++) fprintf(f, "%.17g,", point[c].x[d]);
+        if (which == FRAME && is_cell(c)) continue;
+        for (int d = 0; d < 3; d++) {
+            int at_corner = which == CORNERS && d < dim;
+            fprintf(f, "%.17g,", at_corner ? lo[d] + fmax(place(c, d) - 1, 0) * width[d] : point[c].x[d]);
+        }
         fprintf(f, "%.17g,%.17g,%.17g\n", width[0], width[1], width[2]);
     }
     if (fclose(f)) stop("the points cannot be written");
@@ -180,6 +192,20 @@ static void ask_scene(const char *path) {
             p->axis[d].b = next_number(answers);
         }
         if (*conductivity) p->k_xy = next_number(answers);
+    }
+    if (pclose(answers)) stop("heatladder reference failed");
+}
+
+/* K at the corners; their frame is never used. */
+static void ask_corners(const char *path) {
+    corner = need(calloc((size_t)points, sizeof *corner), "out of memory");
+    write_points(path, CORNERS);
+    FILE *answers = ask(path, "0", "k_x,k_xy,k_y");
+    for (struct corner *p = corner; p < corner + points; p++) {
+        for (int d = 0; d < dim; d++) next_number(answers); /* the point */
+        p->k_x = next_number(answers);
+        p->k_xy = next_number(answers);
+        p->k_y = next_number(answers);
     }
     if (pclose(answers)) stop("heatladder reference failed");
 }
@@ -277,13 +303,45 @@ static double cross_fluxes(int c) {
     return sum;
 }
 
+/* T, and beyond held walls that of the image. */
+static double image(int c) {
+    for (int d = 0; d < 2; d++) {
+        int inside = place(c, d) == 0 ? c + stride[d] : place(c, d) > n[d] ? c - stride[d] : c;
+        if (inside != c) return 2 * point[c].axis[d].value - image(inside);
+    }
+    return point[c].T;
+}
+
+static void corner_fluxes(void) {
+    for (int c = 0; c < points; c++) {
+        struct corner *p = &corner[c];
+        if (place(c, 0) == 0 || place(c, 1) == 0) continue;
+        double a = image(c - stride[0] - stride[1]), b = image(c - stride[1]), e = image(c - stride[0]), f = image(c);
+        double T_x = (b - a + f - e) / (2 * width[0]), T_y = (e - a + f - b) / (2 * width[1]);
+        p->flux[0] = p->k_x * T_x + p->k_xy * T_y;
+        p->flux[1] = p->k_xy * T_x + p->k_y * T_y;
+    }
+}
+
+/* W m^-3: through each face the mean of the fluxes at both of its ends. */
+static double corner_divergence(int c) {
+    double sum = 0;
+    for (int d = 0; d < 2; d++)
+        for (int end = 0; end < 2; end++) {
+            const struct corner *low = &corner[c + end * stride[1 - d]];
+            sum += (low[stride[d]].flux[d] - low->flux[d]) / (2 * width[d]);
+        }
+    return sum;
+}
+
 /* One step of Euler's method: all rates first, then all temperatures. */
 static void step_by(double dt) {
+    if (corner) corner_fluxes();
     for (int c = 0; c < points; c++) {
         struct point *p = &point[c];
         if (!is_cell(c)) continue;
-        p->rate = p->source + p->flux + (*conductivity ? cross_fluxes(c) : 0);
-        for (int face = 0; face < 2 * dim; face++) {
+        p->rate = p->source + p->flux + (corner ? corner_divergence(c) : *conductivity ? cross_fluxes(c) : 0);
+        for (int face = 0; face < 2 * dim && !corner; face++) {
             int distance = stride[face / 2];
             int e = face % 2 == 1 ? c + distance : c - distance;
             p->rate += p->conductance[face] * (potential(point[e].T) - potential(p->T));
@@ -328,7 +386,7 @@ static void run(const char *path, const char *frame, int steps) {
     snprintf(times, sizeof times, "0:%.17g:%d", t_end, steps + 1);
     if (source_changes) sources = ask(path, times, "source");
     if (walls_change) {
-        write_points(frame, 1);
+        write_points(frame, FRAME);
         walls = ask(frame, times, walls_of[dim]);
     }
     for (int step = 0; step < steps; step++) {
@@ -355,13 +413,14 @@ static void write_answer(const char *path, int steps) {
 
 int main(int argc, char **argv) {
     char path[4096], frame[4096];
-    if (argc != 3) stop("two arguments are needed: CASE OUT");
+    if (argc < 3 || (argc > 3 && strcmp(argv[3], "corner"))) stop("arguments: CASE OUT [corner]");
     snprintf(path, sizeof path, "%s.points", argv[2]);
     snprintf(frame, sizeof frame, "%s.frame", argv[2]);
     read_case(argv[1]);
     make_points();
-    write_points(path, 0);
+    write_points(path, ALL);
     ask_scene(path);
+    if (argc > 3 && *conductivity) ask_corners(frame);
     for (struct point *p = point; p < point + points && phases; p++) p->heat = heat_at(p->T);
     int steps = (int)ceil(t_end * make_faces() / 0.25); /* half of what is stable */
     if (dt_asked > 0) steps = (int)ceil(t_end / dt_asked - 1e-9);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""cells.py CASE OUT: finite volumes on a grid of cells, explicit Euler.
+"""cells.py CASE OUT [corner]: finite volumes on a grid of cells, explicit Euler.
 
     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
 
@@ -82,6 +82,8 @@ rho_c = [values[2] for values in scene]
 k = [values[3::4] for values in scene]  # along each axis
 wall = [[values[4 + 4 * d:7 + 4 * d] for d in range(dim)] for values in scene]  # kind, value, b
 
+by_corners = sys.argv[3:] == ["corner"] and "conductivity" in case
+
 # The faces of each cell: half cells in series, or a half cell and what the wall resists.
 flux = [0.0] * len(points)
 faces = [[] for point in points]  # of each cell, pairs (point beyond, conductance)
@@ -95,6 +97,8 @@ for c in cells:
             if on_side(e, d):
                 beside.append((e, d, c))
             if on_side(e, d) and kind == FLUX:
+                continue
+            if by_corners:
                 continue
             if "conductivity" in case:  # K at the face, the mean of both cells
                 faces[c].append((e, (2 * k[e][d] if on_side(e, d) else (k[c][d] + k[e][d]) / 2) / width[d] ** 2))
@@ -111,7 +115,7 @@ for c in cells:
 # A tensor: K_ab times the derivative along b is a flux across a, the mean over the two cells of a face; none
 # through a held wall, along which T is uniform, and 2 T_wall - T beyond it.
 names = ["k_xy", "k_xz", "k_yz"][:2 * dim - 3]
-cross = reference.ask("0", ",".join(names)) if {"k_xy", "conductivity"} & case.keys() else []
+cross = reference.ask("0", ",".join(names)) if {"k_xy", "conductivity"} & case.keys() and not by_corners else []
 for c in cells if cross else []:
     for (a, b), way in itertools.product(itertools.permutations(range(dim), 2), (-1, 1)):
         e = beyond(c, a, way)
@@ -119,6 +123,30 @@ for c in cells if cross else []:
         for x, side in itertools.product((c, e) if not on_side(e, a) else (), (-1, 1)):
             f, g = beyond(x, b, side), way * side * K / (4 * width[a] * width[b])
             faces[c] += [(f, 2 * g), (x, -g)] if on_side(f, b) else [(f, g)]
+
+
+def image(e):
+    """The temperature at a point, beyond held walls of its mirror image, as pairs (point, share)."""
+    sides = [d for d in range(dim) if on_side(e, d)]
+    inside = e + sum([stride[d] * (1 if points[e][d] == lo[d] else -1) for d in sides])
+    return [[(e, 1)], [(e, 2), (inside, -1)], [(inside, 1)]][len(sides)]
+
+
+# Or the flux K grad T at the corners of cells; through a face flows the mean of both its ends.
+if by_corners:
+    lows = list(itertools.product(range(n[0] + 1), range(n[1] + 1)))  # the point below each corner on both axes
+    place = [[lo[d] + low[d] * width[d] for d in range(2)] for low in lows]
+    K = Reference(case["oracle"], sys.argv[2] + ".corners", place, width).ask("0", "k_x,k_xy,k_y")
+    ways = list(itertools.product((0, 1), (0, 1)))  # to the four points around it
+    for low, (k_x, k_xy, k_y) in zip(lows, K):
+        around = [sum((low[d] + way[d]) * stride[d] for d in range(2)) for way in ways]
+        for e, (a, b) in zip(around, ways):
+            T_x, T_y = (2 * a - 1) / (2 * width[0]), (2 * b - 1) / (2 * width[1])  # share of this point
+            flux_x, flux_y = k_x * T_x + k_xy * T_y, k_xy * T_x + k_y * T_y
+            for c, (p, q) in zip(around, ways):
+                g = (1 - 2 * p) * flux_x / (2 * width[0]) + (1 - 2 * q) * flux_y / (2 * width[1])
+                if not any(on_side(c, d) for d in range(2)):
+                    faces[c] += [(f, g * share) for f, share in image(e)]
 
 
 def set_walls(values):

@@ -81,6 +81,10 @@ double ceiling_patch(const struct experiment *e);
 /* The same: K, T - Tm at the end on the circle r2 at theta = pi, the largest jump of T there. */
 double ceiling_patch_jump(const struct experiment *e);
 
+/* aligned with a quantity at a point: its relative error if the rate of psi is off by par k_par dx^2 and by the
+ * fraction all dx^2. */
+double ceiling_aligned(const struct experiment *e, double par, double all);
+
 /* wave: sum w (q.x)^4/24, times kappa and t, of the decayed wave; of any tensor. */
 double ceiling_tensor(const struct experiment *e);
 

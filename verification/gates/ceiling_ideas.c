@@ -226,6 +226,17 @@ double ceiling_blind(const struct experiment *e, double off, double half) {
     return sum / (2 * a);
 }
 
+/* ---- aligned ---- */
+
+double ceiling_aligned(const struct experiment *e, double par, double all) {
+    const struct problem *p = &e->problem;
+    const double *x = e->quantity.at, middle[DIM_MAX] = {0}, dx2 = sq(e->options.dx), Tm = p->held[X_LO];
+    double decay = log(ceiling_param(e, "A") / (scene_exact(e->scene, p, middle, p->t_end).temperature - Tm));
+    double along = 2 * sq(M_PI / (p->hi[0] - p->lo[0])) * p->k_par / p->material[0].rho_c * p->t_end;
+    double T = scene_exact(e->scene, p, x, p->t_end).temperature;
+    return (par * along + all * decay) * dx2 * (T - Tm) / T;
+}
+
 /* ---- Codes of any kind ---- */
 
 /* Means over cell centres of |T|, |T_x| + |T_y| + |T_z| and |lap T|, by differences of step dx/8. */
