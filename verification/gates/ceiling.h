@@ -103,6 +103,20 @@ double ceiling_cell_away(const struct experiment *e);
 double ceiling_bend(const struct experiment *e);
 double ceiling_source_step(const struct experiment *e, double dt);
 
+/* K, the largest error at nodes on the edge of a cooled side and one of given flux, in a body with steady walls.
+ *
+ * A face's load g (the flux, b T_a) that is taken at its nodes exceeds the integral of g times a linear function,
+ * with which the stiffness of linear elements is consistent, by dx^2/6 dg/ds per length of the edge.  On the wall
+ * inside these parts cancel.  On the edge they are a source of q = dx^2/6 (|dg_1/ds_1| + |dg_2/ds_2|), W/m; values at
+ * the middle of faces have half of it, of the other sign.  Steady, in the quarter space with the conductivities k_1
+ * across the side of given flux and k_2 across the cooled one, on the lattice,
+ *
+ *     T = 2 q/(pi sqrt(k_1 k_2)) log(4 k_2/(b dx) sqrt(k_1/(k_1 + k_2)))
+ *
+ * from the integral over u = s dx/2, 0 to pi/2, of 1/(sin u sqrt(1 + k_1/k_2 sin^2 u) + b dx/(2 sqrt(k_1 k_2))), s
+ * the wave number along the cooled side, for b dx much below k. */
+double ceiling_edges(const struct experiment *e);
+
 double ceiling_param(const struct experiment *e, const char *name); /* parameter of the scene; NAN if it has none */
 
 #endif

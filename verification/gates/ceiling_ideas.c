@@ -296,6 +296,44 @@ double ceiling_bend(const struct experiment *e) {
     return sum / all / fabs(scene_exact(e->scene, p, wall, p->t_end).gradient[0]);
 }
 
+/* The load of a side, W m^-2: the given flux, or b T_a. */
+static double load(const struct problem *p, enum side s, const double *x) {
+    return (p->side[s] == ROBIN ? p->robin[s] : 1) * p->wall(p, s, x, p->t_end);
+}
+
+/* The change of the load of side s along `axis`, away from the edge at x, W m^-3. */
+static double load_slope(const struct problem *p, enum side s, int axis, const double *x, double d) {
+    double in[DIM_MAX] = {x[0], x[1], x[2]};
+    in[axis] += x[axis] > p->lo[axis] ? -d : d;
+    return fabs(load(p, s, in) - load(p, s, x)) / d;
+}
+
+/* The largest temperature of the source of `ceiling_edges` on the edge of two sides. */
+static double edge_of(const struct experiment *e, enum side s, enum side cooled) {
+    enum { POINTS = 13 };
+    const struct problem *p = &e->problem;
+    const int a = (int)s / 2, c = (int)cooled / 2, along = 3 - a - c;
+    const double *k = p->material[0].k, dx = e->options.dx;
+    double x[DIM_MAX] = {0}, slope = 0;
+    x[a] = s % 2 ? p->hi[a] : p->lo[a], x[c] = cooled % 2 ? p->hi[c] : p->lo[c];
+    for (int i = 0; i < POINTS; i++) {
+        if (along < p->dim) x[along] = p->lo[along] + (p->hi[along] - p->lo[along]) * i / (POINTS - 1);
+        slope = fmax(slope, load_slope(p, s, c, x, dx) + load_slope(p, cooled, a, x, dx));
+    }
+    double far = 4 * k[c] / (p->robin[cooled] * dx) * sqrt(k[a] / (k[a] + k[c]));
+    return 2 / (M_PI * sqrt(k[a] * k[c])) * sq(dx) / 6 * slope * log(far);
+}
+
+double ceiling_edges(const struct experiment *e) {
+    const struct problem *p = &e->problem;
+    double most = 0;
+    for (int s = 0; s < 2 * p->dim; s++)
+        for (int r = 0; r < 2 * p->dim; r++)
+            if (s / 2 != r / 2 && p->side[r] == ROBIN && p->side[s] == NEUMANN)
+                most = fmax(most, edge_of(e, (enum side)s, (enum side)r));
+    return most;
+}
+
 /* Modes n = 1 and 3 of R decay as exp(-kappa (n pi/width)^2 t); R has the amplitudes 1 and -1/10. */
 double ceiling_source_step(const struct experiment *e, double dt) {
     enum { POINTS = 400 };

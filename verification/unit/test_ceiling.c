@@ -19,6 +19,32 @@ static const struct experiment *of(const char *line) {
     return &request.experiment;
 }
 
+/* ---- Loads on an edge ---- */
+
+/* The source of `ceiling_edges` from the derivatives of the scene's S, and T on the edge as an integral over wave
+ * numbers. */
+static void source_on_an_edge(void **state) {
+    (void)state;
+    enum { POINTS = 20000 };
+    const struct experiment *e =
+        of("run box-manufactured ftcs --dx 0.03 --set width=1.2 --set height=0.6 --set depth=0.84 --set k_x=0.01 "
+           "--set k_y=0.007 --set k_z=0.014 --set b=0.15");
+    const double dx = 0.03, k_y = 0.007, k_z = 0.014, b = 0.15, B = 1.1 / 0.6, C = 0.9 / 0.84;
+    double slope = 0, lattice = 0;
+    for (int edge = 0; edge < 4; edge++) {
+        double y = 0.4 + 1.1 * (edge % 2), z = -0.3 + 0.9 * (edge / 2), along = 0.5 * exp(0.8);
+        double S_y = -B * along * sin(y) * cos(z), S_yz = B * C * along * sin(y) * sin(z);
+        slope = fmax(slope, k_y * fabs(S_yz) + fabs(b * S_y + (edge / 2 ? k_z : -k_z) * S_yz));
+    }
+    for (int i = 0; i < POINTS; i++) {
+        double s = sin(M_PI / 2 * (i + 0.5) / POINTS);
+        lattice += M_PI / 2 / POINTS / (s * sqrt(1 + k_y / k_z * s * s) + b * dx / (2 * sqrt(k_y * k_z)));
+    }
+    double want = 2 / (M_PI * sqrt(k_y * k_z)) * dx * dx / 6 * slope * lattice;
+    assert_near(ceiling_edges(e), want, 0.12 * want); /* dx/2 S_yy/S_y of the difference; b dx/k of the integral */
+    assert_near(ceiling_edges(of("run rect-manufactured ftcs --dx 0.03")), 0, 0); /* each edge has a held side */
+}
+
 /* ---- Weights ---- */
 
 /* No method without weights: it would have no ceiling. */
@@ -228,6 +254,7 @@ static void stiff_modes_decay(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(source_on_an_edge),
         cmocka_unit_test(every_method_has_weights),
         cmocka_unit_test(moments_equal_those_of_the_operators),
         cmocka_unit_test(moments_in_space_equal_those_of_the_operators),
