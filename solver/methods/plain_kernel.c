@@ -31,6 +31,8 @@
  * invisible to G, reduce it further), a separate limit for each kind of cloud.  The stable step is about five times
  * that of a direct second derivative, since G is blind to waves shorter than a few dx.
  *
+ * A tensor: as in fo_ssph.
+ *
  * Both two-sweep operators refuse a particle with all neighbours on one line, which has no flux across it
  * (correction_spans). */
 #include "solver/particles/correction.h"
@@ -159,7 +161,7 @@ static int gradient_pairs(const struct problem *p, const struct options *o, cons
 }
 
 static const struct scheme divergence = {
-    .name = "flux_divergence", .sweeps = 2, .volume = gradient_volume, .pairs = gradient_pairs};
+    .name = "flux_divergence", .sweeps = 2, .tensor = 1, .volume = gradient_volume, .pairs = gradient_pairs};
 
 const struct method method_flux_divergence = {
     .name = "flux_divergence",
@@ -170,7 +172,7 @@ const struct method method_flux_divergence = {
 };
 
 static const struct scheme conjugate = {
-    .name = "conjugate", .sweeps = 2, .adjoint = 1, .volume = gradient_volume, .pairs = gradient_pairs};
+    .name = "conjugate", .sweeps = 2, .tensor = 1, .adjoint = 1, .volume = gradient_volume, .pairs = gradient_pairs};
 
 const struct method method_conjugate = {
     .name = "conjugate",

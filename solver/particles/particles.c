@@ -122,6 +122,8 @@ int particles_check(const struct problem *p, const struct options *o, const stru
          "mirror, no --shift"},
         {tensor && !periodic && o->layout != LAYOUT_LATTICE && o->layout != LAYOUT_JITTER, LAYOUT,
          "with k_xy images are of particles midway", "lattice or jitter"},
+        {tensor && s->sweeps == 2 && o->layout != LAYOUT_LATTICE, LAYOUT,
+         "with k_xy derivatives applied twice are second order on a lattice alone", "lattice"},
         {tensor && !periodic && o->order > 2, ORDER, "with k_xy images are exact to first degree", "2"},
         {p->resistance > 0 && (o->mean == MEAN_HARMONIC || o->mean == MEAN_ARITHMETIC), MEAN,
          "has no place for a contact resistance", "series"},

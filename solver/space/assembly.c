@@ -3,7 +3,7 @@
  * variable conductivity.
  *
  * The scheme gives the row of particle i.  A neighbour that is a ghost adds w factor to the column of its source and
- * w offset to g_i.  A scheme of two sweeps multiplies out the sum of D_a kappa_a D_a over the axes, with D at i and
+ * w offset to g_i.  A scheme of two sweeps multiplies out the sum of D_a K_ab D_b over the axes, with D at i and
  * at its neighbours, including dummies: on a cut lattice the value of a ghost is a sum over particles.  Rows are
  * collected in blocks of particles and joined in order. */
 #include "solver/space/assembly.h"
@@ -238,15 +238,32 @@ static int add_derivative(const struct assembly *m, size_t i, uint32_t j, const 
     return STATUS_OK;
 }
 
-/* Adds sum_j w_ij . (q_j - q_i), or q_j + q_i for an adjoint scheme, with q = kappa D T. */
+/* w K/rho_c, with K of the place of point j; of a ghost, beyond the wall. */
+static void conduct(const struct assembly *m, const struct neighbourhood *nb, uint32_t j, const double w[DIM_MAX],
+                    double flux[DIM_MAX]) {
+    double x[DIM_MAX], K[DIM_MAX][DIM_MAX];
+    for (int a = 0; a < nb->dim; a++) flux[a] = nb->kappa[a] * w[a];
+    if (!problem_has_cross(m->p)) return;
+    layout_cloud_place(m->c, j, x);
+    problem_tensor(m->p, x, K);
+    for (int b = 0; b < nb->dim; b++) {
+        flux[b] = 0;
+        for (int a = 0; a < nb->dim; a++) flux[b] += w[a] * K[a][b] / nb->rho_c;
+    }
+}
+
+/* Adds sum_j w_ij . (q_j - q_i), or q_j + q_i for an adjoint scheme, with q = K D T/rho_c. */
 static int add_composed_row(const struct assembly *m, size_t i, struct surroundings at[2], struct row *r, double *g,
                             struct failure *why) {
     double weight[DIM_MAX][NEIGHBOURS_MAX], *w[] = {weight[0], weight[1], weight[2]}, flux[DIM_MAX];
     double own[DIM_MAX] = {0};
-    const double *kappa = at[0].nb.kappa, sign = m->s->adjoint ? 1 : -1;
+    const double sign = m->s->adjoint ? 1 : -1;
     if (operator_weights(m->s, m->p, m->o, &at[0].nb, w, why)) return why->status;
     for (size_t k = 0; k < at[0].nb.n; k++) {
-        for (int a = 0; a < m->p->dim; a++) flux[a] = kappa[a] * w[a][k], own[a] += sign * flux[a];
+        const double here[DIM_MAX] = {w[0][k], m->p->dim > 1 ? w[1][k] : 0, m->p->dim > 2 ? w[2][k] : 0};
+        conduct(m, &at[0].nb, (uint32_t)i, here, flux);
+        for (int a = 0; a < m->p->dim; a++) own[a] += sign * flux[a];
+        if (problem_has_cross(m->p)) conduct(m, &at[0].nb, at[0].near[k], here, flux);
         if (add_derivative(m, i, at[0].near[k], flux, &at[1], r, g, why)) return why->status;
     }
     return add_derivative(m, i, (uint32_t)i, own, &at[1], r, g, why);

@@ -149,6 +149,21 @@ static void add_cross(struct ceiling_weights *s) {
         }
 }
 
+/* The weight in the derivative along axis a, D that along x. */
+static double along_axis(const struct ceiling_weights *D, int a, int i, int j, int k) {
+    return a == 0 ? AT(D, i, j, k) : a == 1 ? AT(D, j, i, k) : AT(D, k, j, i);
+}
+
+/* 2 K_ab of the derivative along a of that along b. */
+static void add_mixed(struct ceiling_weights *s, const struct ceiling_weights *D, int a, int b) {
+    const double K = 2 * s->cross[problem_pair(a, b)];
+    OFFSETS(s->dim, NEAR, i, j, k) {
+        const double w = K * along_axis(D, a, i, j, k);
+        if (w == 0) continue;
+        OFFSETS(s->dim, NEAR, l, m, n) AT(s, i + l, j + m, k + n) += w * along_axis(D, b, l, m, n);
+    }
+}
+
 /* The derivative along x, sum w x = 1, applied twice, and its images along the other axes times their ratios. */
 static void apply_twice(struct ceiling_weights *s) {
     struct ceiling_weights D = *s, one = {.dim = s->dim};
@@ -169,6 +184,8 @@ static void apply_twice(struct ceiling_weights *s) {
         if (s->dim > 1) AT(s, i, j, k) += s->ratio[1] * AT(&one, j, i, k);
         if (s->dim > 2) AT(s, i, j, k) += s->ratio[2] * AT(&one, k, j, i);
     }
+    for (int b = 1; b < s->dim; b++)
+        for (int a = 0; a < b; a++) add_mixed(s, &D, a, b);
 }
 
 /* Neighbours `step` dx away along each axis. */
@@ -244,9 +261,9 @@ struct ceiling_weights ceiling_weights(const struct experiment *e) {
     if (e->method->scheme && !particles_resolve(p, o, e->method->scheme, &resolved, &ignored)) s.h = resolved.h;
     if (o->h_iso) s.h = isotropic_h(s);
     if (strcmp(e->method->name, "brookshaw") == 0) s.eta = 0.1 * s.h;
+    for (int k = 0; k < DIM_MAX; k++) s.cross[k] = p->cross[k] / p->material[0].k[0];
     fill(&s);
     s.corner = o->cross == CROSS_CORNER;
-    for (int k = 0; k < DIM_MAX; k++) s.cross[k] = p->cross[k] / p->material[0].k[0];
-    if (problem_has_cross(p)) add_cross(&s);
+    if (problem_has_cross(p) && s.family != TWICE_VALUE && s.family != TWICE_SLOPE) add_cross(&s);
     return s;
 }

@@ -18,7 +18,9 @@ static const struct row {
     {"rod-contact contact_ssph --dx 0.1 --sampling spline", "--sampling spline: four cells of two materials"},
     {"rect-manufactured so_ssph --dx 0.1 --set rise=2 --shift 0.3",
      "so_ssph: walls or a source that change in time need one material"},
-    {"wave fo_ssph --dx 0.1 --set kappa_xy=0.004", "fo_ssph: a diagonal conductivity only, the scene has k_xy"},
+    {"wave brookshaw --dx 0.1 --set kappa_xy=0.004", "brookshaw: a diagonal conductivity only, the scene has k_xy"},
+    {"wave fo_ssph --dx 0.1 --set kappa_xy=0.004 --layout jitter",
+     "--layout jitter: with k_xy derivatives applied twice are second order on a lattice alone; use lattice"},
     /* layouts */
     {"wave so_ssph --dx 0.1 --layout node", "--layout node: the scene has no walls; use lattice"},
     {"rod-cooling so_ssph --dx 0.03 --layout node", "--layout node: a Robin wall is midway"},
