@@ -61,7 +61,7 @@ C_FILES := $(filter-out verification/examples/%,$(wildcard $(foreach d,solver re
 TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verification/unit/test_*.c))
 
 .PHONY: FORCE action all bench check claims clean codes coverage dist examples faults field figures format front fuzz \
-  gallery help install league lint mutants nightly operators race report sanitize setup setup-peers stability static \
+  gallery help install judged league lint mutants nightly operators race report sanitize setup setup-peers sph stability static \
   test uninstall verify walls wheel
 
 ##@ Build and install
@@ -243,14 +243,15 @@ clean: ## Remove everything that was built
 CVODE = $(wildcard /usr/include/cvode/cvode.h /usr/local/include/cvode/cvode.h)
 VORO  = $(wildcard /usr/include/voro++/voro++.hh /usr/local/include/voro++/voro++.hh)
 EXAMPLES = $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90) $(if $(CVODE),cvode))
-# deal.II takes 15 s to compile: for `make codes` alone.
+# deal.II takes 15 s to compile: for `make codes` alone, and only if PEERS has it or is not given.
 DEALII   = $(if $(shell command -v mpicxx),$(wildcard /usr/include/deal.II/base/config.h))
-JUDGED   = $(EXAMPLES) $(if $(DEALII),$(BUILD)/examples/heat_dealii)
+JUDGED   = $(EXAMPLES) $(if $(DEALII),$(if $(filter dealii,$(PEERS))$(if $(PEERS),,all),$(BUILD)/examples/heat_dealii))
 TIMED    = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_step) $(if $(VORO),voro_cells))
 # Flags for the programs of others alone; they favour them in the comparison.
 FAST    := -O3 -march=native -ffast-math -fopenmp-simd
 sundials = $(patsubst %,-lsundials_%,$(1))
 
+judged: $(JUDGED)
 examples: $(EXAMPLES) ## Build the example programs for --solver
 
 $(BUILD)/examples/cells_c: verification/examples/cells.c
@@ -277,6 +278,10 @@ $(BUILD)/peers/cvode_step: reports/bench/cvode_step.c
 $(BUILD)/peers/voro_cells: reports/bench/voro_cells.cc
 	@mkdir -p $(@D)
 	$(Q)$(CXX) $(FAST) -o $@ $< -lvoro++
+
+$(BUILD)/peers/cell_lists: reports/bench/cell_lists.c $(LIBRARY)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(ALL_LIBS)
 
 ##@ Verify
 
@@ -373,18 +378,23 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, every s
 setup-peers: ## Install public codes from Debian's packages: those of PEERS, or all
 	$(Q)scripts/setup-peers $(PEERS)
 
-codes: all ## Judge the public codes that are installed (PEERS, or all) and write reports/out/codes.html
+codes: $(BUILD)/heatladder ## Judge the public codes that are installed (PEERS, or all) and write reports/out/codes.html
 	@mkdir -p $(OUT)
-	+$(Q)$(MAKE) -s --no-print-directory $(JUDGED)
+	+$(Q)$(MAKE) -s --no-print-directory judged
 	$(Q)$(if $(ROWS),ROWS='$(ROWS)' )scripts/codes $(BUILD)/heatladder $(BUILD) $(OUT) $(PEERS)
 
-league: all ## Time public codes (make setup-peers): error against seconds, beside ours
+league: $(BUILD)/heatladder ## Time public codes (make setup-peers): error against seconds, beside ours
 	@mkdir -p $(OUT)/league
 	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES) $(TIMED)
 	$(Q)scripts/league $(BUILD)/heatladder $(BUILD) $(OUT)/league
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(OUT)/league/league*.csv; do \
 	scripts/plot $(OUT)/league reports/bench/league.gp $$data; done; \
 	else echo "league: gnuplot is not here (make setup installs it); the chart was not drawn"; fi
+
+sph: $(BUILD)/heatladder $(BUILD)/peers/cell_lists ## Compare operators and neighbours with PySPH's and SciPy's; minutes
+	$(Q)python=$$(scripts/interpreter pysph); [ -n "$$python" ] || { echo "sph: PySPH is not here (make setup-peers PEERS=pysph)" >&2; exit 1; }; \
+	"$$python" reports/bench/neighbour_times.py $(BUILD)/peers/cell_lists && \
+	"$$python" reports/bench/pysph_operators.py $(BUILD)/heatladder
 
 faults: $(BUILD)/heatladder ## Seed faults in the examples; the battery must see each
 	$(Q)CC='$(CC)' scripts/fault-table $(BUILD)/heatladder

@@ -13,6 +13,12 @@ with_module() { # module, example
 @test "heat_petsc.py" { with_module petsc4py heat_petsc.py; }
 @test "heat_sfepy.py" { few=contact/steady with_module sfepy heat_sfepy.py; } # its runs take seconds
 
+@test "heat_dealii.cc, which skips a field" {
+    [ -x "$examples/heat_dealii" ] || skip "deal.II is not here (make setup-peers)"
+    judge "$examples/heat_dealii" --only "$few"
+    expect 77 'field/patch: skipped' heatladder verify --solver "$examples/heat_dealii {case} {out}" --only field/patch
+}
+
 @test "heat_calculix.py" {
     needs ccx
     with_module numpy heat_calculix.py

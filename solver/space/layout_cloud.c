@@ -139,10 +139,12 @@ double layout_image_offset(const struct problem *p, const struct options *o, con
  * room for them. */
 static void append_images(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
                           struct cloud *c) {
-    double source[DIM_MAX];
+    double source[DIM_MAX], depth = INFINITY;
     int images = 1;
     layout_cloud_place(c, i, source);
-    for (int a = 0; a < p->dim; a++) images *= 3;
+    for (int a = 0; a < p->dim; a++)
+        images *= 3, depth = fmin(depth, fmin(source[a] - p->lo[a], p->hi[a] - source[a]));
+    if (depth >= c->reach) return;                 /* most particles of a large cloud */
     for (int image = 1; image < images; image++) { /* a digit an axis: not beyond it, beyond its low or high side */
         int side[DIM_MAX] = {-1, -1, -1}, near = 1;
         for (int a = p->dim - 1, digits = image; a >= 0; a--, digits /= 3)

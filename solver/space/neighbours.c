@@ -28,6 +28,18 @@ static double least_cell(const double extent[DIM_MAX], double n) {
     return fmax(cell, cbrt(extent[0] * extent[1] * extent[2] / n));
 }
 
+/* Coordinates by cells: the points of a run then follow each other in memory, and distances are computed several at a
+ * time. */
+static void copy_places(struct neighbours *nb) {
+    const size_t n = nb->cloud->total;
+    double x[DIM_MAX];
+    for (int a = 0; a < DIM_MAX; a++) nb->x[a] = xcalloc(n, sizeof *nb->x[a]);
+    for (size_t k = 0; k < n; k++) {
+        layout_cloud_place(nb->cloud, nb->point[k], x);
+        for (int a = 0; a < DIM_MAX; a++) nb->x[a][k] = x[a];
+    }
+}
+
 void neighbours_create(struct neighbours *nb, const struct cloud *c, double radius) {
     double lo[DIM_MAX], hi[DIM_MAX], extent[DIM_MAX], x[DIM_MAX];
     layout_cloud_place(c, 0, lo);
@@ -47,11 +59,13 @@ void neighbours_create(struct neighbours *nb, const struct cloud *c, double radi
     for (size_t i = 0; i < c->total; i++) nb->start[cell_of(nb, i) + 2]++;
     for (size_t k = 2; k < cells + 2; k++) nb->start[k] += nb->start[k - 1];
     for (size_t i = 0; i < c->total; i++) nb->point[nb->start[cell_of(nb, i) + 1]++] = (uint32_t)i;
+    copy_places(nb);
 }
 
 void neighbours_free(struct neighbours *nb) {
     free(nb->start);
     free(nb->point);
+    for (int a = 0; a < DIM_MAX; a++) free(nb->x[a]);
     *nb = (struct neighbours){0};
 }
 
@@ -71,22 +85,36 @@ int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[NEIGHB
     return runs;
 }
 
+/* m^2, squares of the distances of the points begin to begin + n - 1 from x. */
+static void squares(const struct neighbours *nb, const double x[DIM_MAX], uint32_t begin, uint32_t n,
+                    double *square) {
+    const double *X = nb->x[0] + begin, *Y = nb->x[1] + begin, *Z = nb->x[2] + begin;
+    for (uint32_t k = 0; k < n; k++) {
+        double dx = X[k] - x[0], dy = Y[k] - x[1], dz = Z[k] - x[2];
+        square[k] = dx * dx + dy * dy + dz * dz;
+    }
+}
+
 size_t neighbours_find(const struct neighbours *nb, size_t i, uint32_t *out, size_t most) {
-    const struct cloud *c = nb->cloud;
-    const double *x = c->x, *y = c->y, *z = c->z;
+    enum { CHUNK = 64 };
+    double x[DIM_MAX], square[CHUNK];
     /* Lattice neighbours at exactly the radius must not depend on round-off; they are excluded, since the kernel is
      * zero. */
-    double radius2 = nb->radius * nb->radius * (1 - 1e-12);
+    const double radius2 = nb->radius * nb->radius * (1 - 1e-12);
     uint32_t begin[NEIGHBOURS_RUNS], end[NEIGHBOURS_RUNS];
-    int runs = neighbours_runs(nb, i, begin, end);
+    const int runs = neighbours_runs(nb, i, begin, end);
     size_t found = 0;
+    layout_cloud_place(nb->cloud, i, x);
     for (int r = 0; r < runs; r++)
-        for (uint32_t k = begin[r]; k < end[r]; k++) {
-            uint32_t j = nb->point[k];
-            double dx = x[j] - x[i], dy = y[j] - y[i], dz = z ? z[j] - z[i] : 0;
-            if (j == i || dx * dx + dy * dy + dz * dz >= radius2) continue;
-            if (found < most) out[found] = j;
-            found++;
+        for (uint32_t at = begin[r]; at < end[r]; at += CHUNK) {
+            const uint32_t n = end[r] - at < CHUNK ? end[r] - at : CHUNK, *point = nb->point + at;
+            squares(nb, x, at, n, square);
+            /* One in seven points is within the radius: counting without a branch is faster than a branch that is
+             * often predicted wrongly. */
+            for (uint32_t k = 0; k < n; k++) {
+                if (found < most) out[found] = point[k];
+                found += (square[k] < radius2) & (point[k] != i);
+            }
         }
     return found;
 }

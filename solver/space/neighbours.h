@@ -16,6 +16,7 @@ struct neighbours {
     int cells[DIM_MAX]; /* 1 past dim */
     uint32_t *start;    /* cells + 1: start of each cell in `point` */
     uint32_t *point;    /* cloud->total */
+    double *x[DIM_MAX]; /* m, cloud->total each: coordinates of `point` */
 };
 
 /* Sorts the points of *c, including ghosts, into cells; radius in m.  Release with neighbours_free. */
@@ -27,8 +28,8 @@ void neighbours_free(struct neighbours *nb);
 int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[NEIGHBOURS_RUNS],
                     uint32_t end[NEIGHBOURS_RUNS]);
 
-/* Writes the indices of the points within the radius of point i, excluding i, to out[most].  Returns their number,
- * which may exceed `most`. */
+/* Writes the indices of the points within the radius of point i, excluding i, to out[most]; entries past the
+ * last may be overwritten.  Returns their number, which may exceed `most`. */
 size_t neighbours_find(const struct neighbours *nb, size_t i, uint32_t *out, size_t most);
 
 #endif
