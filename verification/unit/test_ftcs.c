@@ -591,7 +591,7 @@ static void steps_of_a_tensor_have_their_limit(void **state) {
         for (int k = 0; k < (p.dim == 3 ? 3 : 1); k++) p.cross[k] = 0.4;
         p.initial = sign_of_place;
         o.fourier = 0.99 * limit[turn / 2][turn % 2];
-        p.t_end = 900 * o.fourier * 0.046 * 0.046 * 2.385 / 0.4;
+        p.t_end = 300 * o.fourier * 0.046 * 0.046 * 2.385 / 0.4;
         f = solved(&method_ftcs, &p, &o);
         for (size_t i = 0; i < f.n; i++) assert_order(fabs(f.T[i]), <, 4);
         field_free(&f);
