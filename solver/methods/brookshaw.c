@@ -17,8 +17,18 @@
  * The volume V: raw, dx^d; tuned, Pamplona eq. 14, V = area xi / N with N including the ghosts; moment, the V for
  * which the operator is exact for x^2, y^2 and z^2 on the lattice, sum_j w_j x_j^2 = 2 kappa.
  *
- * Weights are >= 0, so on a cloud the solution is bounded if every particle has a neighbour.  Isotropic conductivity
- * only, because F depends on the distance only. */
+ * A tensor (Espanol & Revenga 2003; Biriukov & Price 2019): (dim + 2) e.K e - tr K in place of 2 k, e along the pair.
+ * That is K only where directions are even: sum F x^4/r^2 = 3 sum F x^2 y^2/r^2.  On a square lattice, with the ratio
+ * m of the two sums, k_y has the part (3 - m)/(2 m + 2) of k_x, below 0 for m > 3, and k_xy the factor 4/(m + 1), so
+ * that it has no order; it is here for `limit METHOD --field ANGLE`.  Pairs across b have negative weights for k_perp
+ * < k_par/3.  With b along an axis all waves across it grow for
+ *
+ *     k_perp/k_par < (m - 3)/(3 m - 1) = 0.113, 0.088, 0.028, 0.011 at h/dx = 1.1, 1.2, 1.5, 2;
+ *
+ * at 15 degrees 0.065, 0.047, 0.007 and none; at 30 and 45 degrees none grows.
+ *
+ * Weights of an isotropic K are >= 0, so on a cloud the solution is bounded if every particle has a neighbour.  A
+ * diagonal K is isotropic, because F depends on the distance only. */
 #include "solver/particles/correction.h"
 #include "solver/particles/particles.h"
 #include "solver/space/kernel.h"
@@ -59,6 +69,24 @@ static double mean_conductivity(const struct problem *p, enum mean mean, double 
     return 2 / (part / ki + (1 - part) / kj + p->resistance / fabs(d));
 }
 
+/* Twice the conductivity of a tensor along d, W m^-1 K^-1. */
+static double pair_tensor(const struct problem *p, const double *x, int dim, const double *d) {
+    double K[DIM_MAX][DIM_MAX], along = 0, square = 0, trace = 0;
+    problem_tensor(p, x, K);
+    for (int a = 0; a < dim; a++) {
+        for (int b = 0; b < dim; b++) along += K[a][b] * d[a] * d[b];
+        square += d[a] * d[a], trace += K[a][a];
+    }
+    return (dim + 2) * along / square - trace;
+}
+
+static int check(const struct problem *p, const struct options *o, struct failure *why) {
+    (void)o;
+    if (!problem_has_cross(p) || (!p->direction && p->side[X_LO] == PERIODIC)) return STATUS_OK;
+    return refuse(why, STATUS_NOT_APPLICABLE,
+                  "brookshaw: a tensor in a periodic body where it is constant, and without an order; use so_ssph");
+}
+
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],
                    struct failure *why) {
     char place[PLACE_TEXT];
@@ -68,7 +96,8 @@ static int weights(const struct problem *p, const struct options *o, const struc
                       problem_place(nb->dim, nb->x, place));
     for (size_t j = 0; j < nb->n; j++) {
         double F = pair_weight(o->kernel, nb->dim, nb->h, neighbourhood_distance(nb, j));
-        double k = mean_conductivity(p, o->mean, nb->x[0], nb->d[j][0]);
+        double k = problem_has_cross(p) ? pair_tensor(p, nb->x, nb->dim, nb->d[j])
+                                        : mean_conductivity(p, o->mean, nb->x[0], nb->d[j][0]);
         w[0][j] = nb->volume * k * F / nb->rho_c;
     }
     return STATUS_OK;
@@ -77,8 +106,10 @@ static int weights(const struct problem *p, const struct options *o, const struc
 static const struct scheme scheme = {.name = "brookshaw",
                                      .two_materials = 1,
                                      .isotropic = 1,
+                                     .tensor = 1,
                                      .tuned = 1,
                                      .sweeps = 1,
+                                     .check = check,
                                      .volume = volume,
                                      .weights = weights};
 

@@ -113,7 +113,7 @@ int particles_check(const struct problem *p, const struct options *o, const stru
         /* materials and data */
         {o->volume == VOLUME_TUNED && s->volume && !s->tuned, VOLUME, "supported by brookshaw only", "moment or raw"},
         {two && !s->two_materials, METHOD, "one material only, the scene has two", "brookshaw or contact_ssph"},
-        {s->isotropic && unequal, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
+        {s->isotropic && unequal && !tensor, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
         {tensor && !s->tensor, METHOD, "a diagonal conductivity only, the scene has k_xy", "so_ssph or ftcs"},
         {tensor && law, METHOD, "a tensor that depends on temperature is not supported", "k_xy = 0"},
         {tensor && (has_wall(p, NEUMANN) || exchange), METHOD,

@@ -18,7 +18,8 @@ static const struct row {
     {"rod-contact contact_ssph --dx 0.1 --sampling spline", "--sampling spline: four cells of two materials"},
     {"rect-manufactured so_ssph --dx 0.1 --set rise=2 --shift 0.3",
      "so_ssph: walls or a source that change in time need one material"},
-    {"wave brookshaw --dx 0.1 --set kappa_xy=0.004", "brookshaw: a diagonal conductivity only, the scene has k_xy"},
+    {"wave schwaiger --dx 0.1 --set kappa_xy=0.004", "schwaiger: a diagonal conductivity only, the scene has k_xy"},
+    {"ring brookshaw --dx 0.1", "brookshaw: a tensor in a periodic body where it is constant"},
     {"wave fo_ssph --dx 0.1 --set kappa_xy=0.004 --layout jitter",
      "--layout jitter: with k_xy derivatives applied twice are second order on a lattice alone; use lattice"},
     /* layouts */
