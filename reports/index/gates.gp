@@ -47,7 +47,7 @@ array COLOUR[8] = [BLUE, RED, GREEN, PURPLE, ORANGE, BLACK, SKY, RED]
 array POINT[8] = [6, 4, 8, 12, 10, 1, 14, 2]
 size_of_point(k) = (2.4 - 0.2 * k) * P
 below(x) = floor(log10(x))
-array LOW[6]; array NEAR[6]; array FAR[6]
+array ORDER[8]; array LOW[8]; array NEAR[8]; array FAR[8]
 do for [scene in scenes] {
     unset logscale
     set xrange [*:*]
@@ -55,7 +55,7 @@ do for [scene in scenes] {
     methods = int(system(sprintf("grep -c '^# %s [0-9]$' '%s'", scene, data)))
     if (methods > 0) {
         dx_low = 1e99; dx_high = 0; error_low = 1e99; error_high = 0; out_of_fit = 0
-        do for [p=1:6] { LOW[p] = 1e99 }
+        orders = 0
         do for [k=1:methods] {
             stats data index sprintf('%s %d', scene, k) using 1:2 name 'CURVE' nooutput
             stats data index sprintf('%s %d', scene, k) using 3:4 name 'FIT' nooutput
@@ -64,22 +64,30 @@ do for [scene in scenes] {
             dx_high = CURVE_max_x > dx_high ? CURVE_max_x : dx_high
             error_low = CURVE_min_y < error_low ? CURVE_min_y : error_low
             error_high = CURVE_max_y > error_high ? CURVE_max_y : error_high
-            p = int(FIT_max_y)
-            if (p > 0 && p <= 6) { if (CURVE_min_y / CURVE_min_x ** p < LOW[p]) {
-                LOW[p] = CURVE_min_y / CURVE_min_x ** p
-                NEAR[p] = CURVE_min_x; FAR[p] = CURVE_max_x
-            } }
+            p = FIT_max_y
+            at = 0
+            do for [q=1:orders] { if (ORDER[q] == p) { at = q } }
+            if (at == 0) { orders = orders + 1; at = orders; ORDER[at] = p; LOW[at] = 1e99 }
+            if (CURVE_min_y / CURVE_min_x ** p < LOW[at]) {
+                LOW[at] = CURVE_min_y / CURVE_min_x ** p
+                NEAR[at] = CURVE_min_x; FAR[at] = CURVE_max_x
+            }
         }
         # Reference slopes are lines at half the lowest error of their order.
         unset label
         unset arrow
-        do for [p=1:6] { if (LOW[p] < 1e99) {
-            set arrow from NEAR[p], 0.5 * LOW[p] * NEAR[p] ** p to FAR[p], 0.5 * LOW[p] * FAR[p] ** p \
+        do for [q=1:orders] {
+            p = ORDER[q]
+            set arrow from NEAR[q], 0.5 * LOW[q] * NEAR[q] ** p to FAR[q], 0.5 * LOW[q] * FAR[q] ** p \
                 nohead lc rgb '#999999'
-            error_low = 0.5 * LOW[p] * NEAR[p] ** p < error_low ? 0.5 * LOW[p] * NEAR[p] ** p : error_low
-            set label sprintf('%d', p) at FAR[p], 0.5 * LOW[p] * FAR[p] ** p left offset 1, -0.3 \
+            error_low = 0.5 * LOW[q] * NEAR[q] ** p < error_low ? 0.5 * LOW[q] * NEAR[q] ** p : error_low
+            # A long label is below the end of its line, where the frame does not cut it.
+            long = strlen(sprintf('%g', p)) > 1
+            aside = long ? -1.5 : 1
+            above = long ? -1.1 : -0.3
+            set label sprintf('%g', p) at FAR[q], 0.5 * LOW[q] * FAR[q] ** p left offset aside, above \
                 textcolor rgb '#555555'
-        } }
+        }
         many = error_high / error_low > 100
         tics = ''
         do for [d=below(dx_low):below(dx_high)] { do for [m in '1 2 5'] {

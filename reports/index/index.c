@@ -36,6 +36,14 @@ static void put_scene(const struct scene *s, const char *dir, FILE *out) {
     fprintf(out, "</section>\n");
 }
 
+/* With a figure of their ladders, or without one: beside a figure these would leave an empty place. */
+static void put_scenes(int drawn, const char *dir, FILE *out) {
+    for (int i = 0; i < SIMPLEST; i++)
+        if (parts_has_ladder(simplest[i], dir) == drawn) put_scene(scene_find(simplest[i]), dir, out);
+    for (const struct scene *const *s = scenes; *s; s++)
+        if (!is_simple((*s)->name) && parts_has_ladder((*s)->name, dir) == drawn) put_scene(*s, dir, out);
+}
+
 static void put_contents(const char *dir, FILE *out) {
     fprintf(out, "<nav><h2>Contents</h2>\n<ul>\n<li><a href=\"#scenes\">Scenes</a>\n");
     for (int i = 0; i < SECTIONS; i++)
@@ -69,9 +77,8 @@ int index_write(const char *dir, struct failure *why) {
     parts_put("Error against time", dir, out);
     parts_put_missing(dir, out);
     fprintf(out, "<div id=\"scenes\">\n");
-    for (int i = 0; i < SIMPLEST; i++) put_scene(scene_find(simplest[i]), dir, out);
-    for (const struct scene *const *s = scenes; *s; s++)
-        if (!is_simple((*s)->name)) put_scene(*s, dir, out);
+    put_scenes(1, dir, out);
+    put_scenes(0, dir, out);
     fprintf(out, "</div>\n");
     for (int i = 0; i < SECTIONS; i++) {
         if (!parts_has(sections[i], dir)) continue;

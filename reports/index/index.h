@@ -15,6 +15,7 @@ int parts_put(const char *section, const char *dir, FILE *out);
 int parts_has(const char *section, const char *dir);
 
 /* The figures of one scene: its ladders, and the charts of `make bench`. */
+int parts_has_ladder(const char *scene, const char *dir); /* its figure of make verify is there */
 void parts_put_scene(const char *scene, const char *dir, FILE *out);
 
 /* One line: the sections that lack a part, with the command that makes it. */

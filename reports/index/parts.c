@@ -142,6 +142,12 @@ int parts_put(const char *section, const char *dir, FILE *out) {
     return put > 0;
 }
 
+int parts_has_ladder(const char *scene, const char *dir) {
+    char path[PATH];
+    snprintf(path, sizeof path, "%s/scene_%s.svg", dir, scene);
+    return access(path, R_OK) == 0;
+}
+
 void parts_put_scene(const char *scene, const char *dir, FILE *out) {
     static const struct {
         const char *file, *about, *command;

@@ -89,6 +89,8 @@ measured=('run rod-gauss so_ssph --dx 0.5' 'ladder rod-gauss ftcs --dx 2,1,0.5,0
         [ -s text ]
     done
     [ "$(heatladder list battery --json - 2>text | jq '.battery | map(select(.order == 2)) | length')" -gt 60 ]
+    [ "$(heatladder verify --only 'melt/cell*,symmetry/*' --json - 2>text |
+        jq '.gates[] | select(.measure == "error") | .ceiling == .tolerance' | sort -u)" = true ]
     [ "$(heatladder list scenes --json - 2>text | jq -r ".scenes[].name")" = \
         "$(heatladder list scenes | sed -n 's/^\([a-z-]*\): .*/\1/p')" ]
 }

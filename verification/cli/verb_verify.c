@@ -13,6 +13,7 @@
 #include "verification/case/results.h"
 #include "verification/report/page.h"
 
+#include <math.h>
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,14 +45,15 @@ static void gate_json(const struct gate_result *r, struct json *j) {
     const struct gate *g = &r->gate;
     const struct measured *m = &r->measured;
     int at_most = g->lo == 0; /* a bound from above; else a band */
+    /* An error that is measured itself has its bound as ceiling. */
+    double ceiling = isnan(g->ceiling) && strcmp(g->measure, "error") == 0 ? g->hi : g->ceiling;
     json_object(j, NULL);
     json_add(j, "id %s|measure %s|command %s", g->id, g->measure, r->typed);
     json_number(j, "expected", at_most ? 0 : (g->lo + g->hi) / 2);
     json_number(j, "tolerance", at_most ? g->hi : (g->hi - g->lo) / 2);
     json_number(j, "measured", m->value);
     json_numbers(j, "interval95", m->ci, 2);
-    json_add(j, "error %g|ceiling %g|verdict %s|reason %s", m->error, g->ceiling, verdict_words[m->verdict],
-             m->reason);
+    json_add(j, "error %g|ceiling %g|verdict %s|reason %s", m->error, ceiling, verdict_words[m->verdict], m->reason);
     json_text(j, "diagnosis", *m->diagnosis ? m->diagnosis : NULL);
     json_text(j, "why", g->why);
     if (m->rungs.n) rungs_json(&m->rungs, j);

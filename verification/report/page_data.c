@@ -28,6 +28,12 @@ static double middle(const struct gate_result *r) {
     return (r->gate.lo + r->gate.hi) / 2;
 }
 
+/* The whole number in the middle of the band; else, as at a front with k(T), its middle. */
+static double expected(const struct gate_result *r) {
+    double whole = round(middle(r));
+    return r->gate.lo <= whole && whole <= r->gate.hi ? whole : middle(r);
+}
+
 /* The offset of the gate i from the row of its scene: its ladders are spread over the row. */
 static double offset(const struct gates *g, int i, const char *scene) {
     int before = 0, all = 0;
@@ -126,7 +132,7 @@ static void put_errors(const struct gate_result *chosen[METHODS], int n, int k, 
     }
     fprintf(out, "%s,counts,expected order\n", is_high(r) ? " of order 4" : "");
     for (int i = 0; i < l->n; i++)
-        if (l->error[i] > 0) fprintf(out, "%.6g,%.6e,%d,%.0f\n", l->x[i], l->error[i], l->counts[i], middle(r));
+        if (l->error[i] > 0) fprintf(out, "%.6g,%.6e,%d,%.3g\n", l->x[i], l->error[i], l->counts[i], expected(r));
 }
 
 void page_data_write(const struct gates *g, const char *command, FILE *out) {

@@ -210,6 +210,12 @@ static void plots_have_one_curve_per_method(void **state) {
     assert_has(text, "# rod-step 3\ndx [m],ftcs of order 4,");
     assert_lacks(text, "# rod-step 4");
     assert_has(text, "\n0.072,1.875,2.125,1.5,1.5,1.5,0,fo_ssph\n");
+    assert_has(text, "\n0.125,3.000000e-04,1,2\n");
+    r[0].gate.lo = 1.2, r[0].gate.hi = 1.5; /* no whole number */
+    out = begin();
+    page_data_write(&(struct gates){.declared = 1, .result = r}, "verify", out);
+    fclose(out);
+    assert_has(text, "\n0.125,3.000000e-04,1,1.35\n");
 }
 
 static const char *ladder_page(const char *line) {
@@ -244,6 +250,11 @@ static void index_lists_existing_parts(void **state) {
     assert_has(page, "; Statements of the papers (<code>make claims</code>).</p>");
     assert_lacks(page, "<h2>Walls</h2>");
     assert_true(strstr(page, "<h2>rod-gauss</h2>") < strstr(page, "<h2>rod-step</h2>"));
+    put("scene_wave.svg", "<svg/>", 6); /* a scene with a figure comes before those without */
+    assert_int_equal(index_write(folder, &why), STATUS_OK);
+    page = take("index.html");
+    assert_true(strstr(page, "<h2>wave</h2>") < strstr(page, "<h2>rod-gauss</h2>"));
+    unlink(path_of("scene_wave.svg"));
     unlink(path_of("song_table1.html"));
 }
 
