@@ -36,6 +36,10 @@ static const struct fault_places
                    (const char *const[]){"side x_lo", "side x_hi", "side y_lo", "side y_hi", "side z_lo",
                                          "side z_hi"},
                    "a side"},
+    leaks = {FAULT_ALL_SIDES + 1,
+             (const char *const[]){"side x_lo", "side x_hi", "side y_lo", "side y_hi", "side z_lo", "side z_hi",
+                                   "insulated sides, or those of given flux,"},
+             "a side"},
     walls = {1 + SIDES,
              (const char *const[]){"the walls were those", "side x_lo were that", "side x_hi were that",
                                    "side y_lo were that", "side y_hi were that", "side z_lo were that",
@@ -197,6 +201,19 @@ static int has_extent(const struct problem *p, int at) {
     return is_axis(p, at) && !(p->k_law && p->dim > 1) && !p->direction;
 }
 
+/* Whether a held side is opposite to a cooled one: of two held sides FAULT_EXTENT is the displacement. */
+static int is_held_alone(const struct problem *p, int a) {
+    int hi = p->side[2 * a] == ROBIN;
+    return a < p->dim && p->side[2 * a + hi] == DIRICHLET && p->side[2 * a + !hi] == ROBIN;
+}
+
+static int has_held_alone(const struct problem *p, int at) {
+    (void)at;
+    for (int a = 0; a < p->dim; a++)
+        if (is_held_alone(p, a)) return has_extent(p, a);
+    return 0;
+}
+
 static int has_jumps(const struct problem *p, int at) {
     return at < p->dim && p->jumps[at] >= 2;
 }
@@ -207,6 +224,12 @@ static int has_side(const struct problem *p, int s) {
 
 static int is_open(const struct problem *p, int s) {
     return s < 2 * p->dim && (p->side[s] == DIRICHLET || p->side[s] == ROBIN);
+}
+
+static int can_leak(const struct problem *p, int at) {
+    int given = 0;
+    for (int s = 0; s < 2 * p->dim; s++) given += p->side[s] == NEUMANN && (at == s || at == FAULT_ALL_SIDES);
+    return !p->k_law && given > (at == FAULT_ALL_SIDES);
 }
 
 /* A point of side s, at the same part of the extent of the other axes. */
@@ -500,9 +523,10 @@ static void coefficient(struct faulty *f) {
         if (f->fault.at == s || f->fault.at == FAULT_ALL_SIDES) f->problem.robin[s] *= 1 + f->size;
 }
 
-static void stretch(struct faulty *f, int a) {
+/* The extent along an axis grows by `more` about its centre. */
+static void stretch(struct faulty *f, int a, double more) {
     struct problem *q = &f->problem;
-    double s = 1 + 2 * f->size / (q->hi[a] - q->lo[a]);
+    double s = 1 + more / (q->hi[a] - q->lo[a]);
     f->stretch[a] = s;
     for (int m = 0; m < q->materials; m++) q->material[m].k[a] /= s * s;
     for (int b = 0; b < DIM_MAX; b++)
@@ -516,7 +540,16 @@ static void stretch(struct faulty *f, int a) {
 
 static void extent(struct faulty *f) {
     for (int a = 0; a < f->problem.dim; a++)
-        if (includes(f->fault.at, a)) stretch(f, a);
+        if (includes(f->fault.at, a)) stretch(f, a, 2 * f->size);
+}
+
+static void held(struct faulty *f) {
+    const struct problem *p = f->right;
+    for (int a = 0; a < p->dim; a++) {
+        if (!is_held_alone(p, a)) continue;
+        f->centre[a] = p->side[2 * a] == ROBIN ? p->lo[a] : p->hi[a]; /* the cooled side stays */
+        stretch(f, a, f->size);
+    }
 }
 
 static void points(struct faulty *f) {
@@ -564,6 +597,17 @@ static void loads(struct faulty *f) {
 static void insulated(struct faulty *f) {
     f->problem.side[f->fault.at] = NEUMANN;
     f->wall[f->fault.at] = 0;
+}
+
+/* A loss b T, b in units of k over the extent. */
+static void leak(struct faulty *f) {
+    struct problem *q = &f->problem;
+    for (int s = 0; s < 2 * q->dim; s++) {
+        const struct material *beside = &q->material[s == X_HI ? q->materials - 1 : 0];
+        if (f->right->side[s] != NEUMANN || (f->fault.at != s && f->fault.at != FAULT_ALL_SIDES)) continue;
+        q->side[s] = ROBIN;
+        q->robin[s] = f->size * beside->k[s / 2] / (q->hi[s / 2] - q->lo[s / 2]);
+    }
 }
 
 static void kept(struct faulty *f) {

@@ -55,6 +55,7 @@ static double initial(const struct problem *p, const double *x) {
 static double scaled(const struct faulty *f, enum side s, double value, double offset) {
     const enum side_kind kind = f->right->side[faulty_from(f, (int)s)];
     if (kind == NEUMANN) value /= f->stretch[s / 2];
+    if (kind == NEUMANN && f->problem.side[s] == ROBIN) value /= f->problem.robin[s]; /* b T_a is the given flux */
     return f->factor * f->wall[s] * value + (kind == NEUMANN ? 0 : offset);
 }
 

@@ -213,6 +213,13 @@ static void print_shared(const struct rows *rows, const struct diagnosis *found,
                  passing(rows, 1u << what, 1) ? "" : ", and no other row does");
 }
 
+/* The rows of cells of two widths have fluxes on sides across different axes. */
+static void print_widths(const struct rows *rows, char *text, size_t size) {
+    int some = passing(rows, 1u << OBLONG, 1);
+    snprintf(text, size, "%sas if dx were taken for dy%s: no row of square cells fails", some ? "perhaps " : "",
+             some ? " where fluxes are given" : ", or each for the other");
+}
+
 /* The words of a row, given the headline. */
 static void print_left(const struct headline *h, struct measured *m) {
     double share = headline_share(h, &m->found);
@@ -229,6 +236,16 @@ static void print_left(const struct headline *h, struct measured *m) {
 
 static int is_open(const struct measured *m) {
     return m->verdict == VERDICT_FAIL || m->verdict == VERDICT_INCONCLUSIVE;
+}
+
+/* Whether the runs of all rows that do not pass overflow or have no answer, as one that is not a number. */
+static int all_overflow(const struct gates *g, const struct headline *h) {
+    if (!h->fault.named || h->fault.fault.kind != FAULT_UNSTABLE) return 0;
+    for (int i = 0; i < g->declared; i++) {
+        const struct measured *m = &g->result[i].measured;
+        if (is_open(m) && isfinite(m->value) && !(headline_share(h, &m->found) == 1)) return 0;
+    }
+    return 1;
 }
 
 /* Whether all rows that do not pass are of a higher order and have the slope of second order. */
@@ -269,8 +286,10 @@ void gates_diagnose(struct gates *g) {
     } else if (failing) {
         int class = telling(&rows, 0, CLASSES, g->declared);
         struct headline h = headline_choose(found, failing, contradict, &rows);
-        if (rows.shared & 1u << OBLONG && passing(&rows, 1u << OBLONG, 1) == 0)
-            snprintf(g->diagnosis, sizeof g->diagnosis, "as if dx were taken for dy: no row of square cells fails");
+        if (h.fault.fault.kind == FAULT_UNSTABLE)
+            h.is_firm = all_overflow(g, &h) || (h.is_firm && 2 * h.votes >= failing);
+        if (rows.shared & 1u << OBLONG && passing(&rows, 1u << OBLONG, 0))
+            print_widths(&rows, g->diagnosis, sizeof g->diagnosis);
         else
             headline_print(&h, class >= 0 ? features[class].in : "", g->diagnosis);
         if (!*g->diagnosis) print_shared(&rows, found, failing, g->diagnosis, sizeof g->diagnosis);

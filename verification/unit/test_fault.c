@@ -93,6 +93,24 @@ static void sides_and_corners_have_faults_of_their_own(void **state) {
     }
 }
 
+/* A held side moves away from a cooled one that stays; a side of given flux keeps it and loses b T more. */
+static void held_sides_move_and_sides_of_given_flux_leak(void **state) {
+    (void)state;
+    struct problem rod = problem_of("rod-cooling"), p = problem_of("rect-manufactured"),
+                   step = problem_of("rod-step");
+    struct faulty with;
+    const double L = rod.hi[0] - rod.lo[0], on[2] = {0.3, p.lo[1]};
+    assert_true(faulty_make(&rod, (struct fault){FAULT_HELD, 0}, 0.1 * L, &with));
+    assert_near(with.centre[0] + with.stretch[0] * (rod.hi[0] - with.centre[0]), rod.hi[0], 1e-15);
+    assert_near(with.centre[0] + with.stretch[0] * (rod.lo[0] - with.centre[0]), rod.lo[0] - 0.1 * L, 1e-12);
+    assert_false(faulty_make(&step, (struct fault){FAULT_HELD, 0}, 0.1, &with));
+    assert_true(faulty_make(&p, (struct fault){FAULT_LEAK, Y_LO}, 0.2, &with));
+    double b = 0.2 * p.material[0].k[1] / (p.hi[1] - p.lo[1]), flux = p.wall(&p, Y_LO, on, 0);
+    assert_near(with.problem.robin[Y_LO], b, 1e-12 * b);
+    assert_near(b * with.problem.wall(&with.problem, Y_LO, on, 0), flux, 1e-12 * fabs(flux));
+    assert_false(faulty_make(&p, (struct fault){FAULT_LEAK, X_LO}, 0.2, &with)); /* held */
+}
+
 /* Air that is lost is that of all Robin sides, and of no other. */
 static void air_is_of_robin_sides(void **state) {
     (void)state;
@@ -289,6 +307,7 @@ int main(void) {
         cmocka_unit_test(conductivity_and_pace_differ_by_sources_fluxes_and_air),
         cmocka_unit_test(probe_sizes_along_y_use_the_extent_of_y),
         cmocka_unit_test(sides_and_corners_have_faults_of_their_own),
+        cmocka_unit_test(held_sides_move_and_sides_of_given_flux_leak),
         cmocka_unit_test(air_is_of_robin_sides),
         cmocka_unit_test(faults_apply_to_existing_parts_only),
         cmocka_unit_test(stretched_bodies_keep_walls_and_sources),

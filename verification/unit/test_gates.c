@@ -300,6 +300,21 @@ static void failing_gates_are_diagnosed(void **state) {
     assert_has(g.diagnosis, "k_x and k_y");
 }
 
+/* A row without an answer, as one that is not a number, does not speak against overflow; another answer does. */
+static void overflow_is_firm_where_no_row_has_another_answer(void **state) {
+    (void)state;
+    struct gate_result result[3] = {0};
+    struct gates g = {.declared = 3, .executed = 3, .result = result};
+    for (int i = 0; i < 3; i++)
+        result[i].gate.measure = "order",
+        measures_fail(&result[i].measured, &(struct failure){i ? STATUS_NUMERICAL : STATUS_UNSTABLE, "T = nan"});
+    gates_diagnose(&g);
+    assert_string_equal(g.diagnosis, "temperatures overflow, as in an unstable run (1 of 3 rows that do not pass)");
+    result[2].measured.value = 1.2;
+    gates_diagnose(&g);
+    assert_has(g.diagnosis, "perhaps temperatures overflow");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(correct_gate_passes),
@@ -320,6 +335,7 @@ int main(void) {
         cmocka_unit_test(junit_lists_every_verdict),
         cmocka_unit_test(junit_has_groups_and_interrupts),
         cmocka_unit_test(failing_gates_are_diagnosed),
+        cmocka_unit_test(overflow_is_firm_where_no_row_has_another_answer),
     };
     return cmocka_run_group_tests_name("gates", tests, NULL, NULL);
 }
