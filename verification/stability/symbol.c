@@ -90,18 +90,23 @@ double symbol_weight(const struct symbol *s, int i, int j, int k) {
 }
 
 double complex symbol_at(const struct symbol *s, const double *theta) {
+    const int reach = s->reach[0];
     double re = 0, im = 0, across[2] = {s->dim > 1 ? theta[1] : 0, s->dim > 2 ? theta[2] : 0};
+    /* the same in every row */
+    double *cosine = xcalloc(2 * (size_t)reach + 2, sizeof *cosine), *sine = cosine + reach + 1;
+    for (int i = 1; i <= reach; i++) cosine[i] = cos(i * theta[0]), sine[i] = sin(i * theta[0]);
     for (int k = -s->reach[2]; k <= s->reach[2]; k++)
         for (int j = -s->reach[1]; j <= s->reach[1]; j++) {
             const double *w = &s->w[weight_index(s, 0, j, k)];
             double row_re = w[0], row_im = 0;
-            for (int i = 1; i <= s->reach[0]; i++) {
-                row_re += (w[i] + w[-i]) * cos(i * theta[0]);
-                if (w[i] != w[-i]) row_im += (w[i] - w[-i]) * sin(i * theta[0]);
+            for (int i = 1; i <= reach; i++) {
+                row_re += (w[i] + w[-i]) * cosine[i];
+                row_im += (w[i] - w[-i]) * sine[i];
             }
             double angle = j * across[0] + k * across[1], c = cos(angle), d = sin(angle);
             re += row_re * c - row_im * d, im += row_re * d + row_im * c;
         }
+    free(cosine);
     return re + I * im;
 }
 
