@@ -44,6 +44,13 @@ static void relax_ends(struct axis *a) {
     a->hi += margin;
 }
 
+/* A margin of half a cell, of so many along the axis. */
+static void relax_by_cell(struct axis *a, double cells) {
+    double margin = 0.55 * (a->hi - a->lo) / fmax(cells - 1.1, 1);
+    a->lo -= margin;
+    a->hi += margin;
+}
+
 static double x_of(const struct axis *a, double value) {
     return LEFT + (on_axis(a, value) - a->lo) / (a->hi - a->lo) * (WIDE - LEFT - RIGHT);
 }
@@ -179,7 +186,7 @@ static void put_map(FILE *out, const struct field *f, const double *value, const
     for (size_t k = 0; k < n; k++) field_place(f, at[k], place), widen(&x, place[0]), widen(&y, place[1]);
     if (!(x.hi > x.lo && y.hi > y.lo)) return;
     double columns = sqrt((double)n * (x.hi - x.lo) / (y.hi - y.lo)), rows = (double)n / columns;
-    relax_ends(&x), relax_ends(&y);
+    relax_by_cell(&x, columns), relax_by_cell(&y, rows);
     double wide = 1.1 * (WIDE - LEFT - RIGHT) / columns, high = 1.1 * (HIGH - TOP - BOTTOM) / rows;
     snprintf(label, sizeof label, "%s: %.3g to %.3g K", title, range[0], range[1]);
     open_panel(out, label);

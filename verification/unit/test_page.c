@@ -286,6 +286,8 @@ static void pictures_have_one_mark_a_point(void **state) {
         assert_int_equal(dim == 1 ? times("<circle") + times("<path") : times("fill=\"#"), dim == 1   ? 50
                                                                                            : dim == 2 ? 3 * 18 - 4
                                                                                                       : 3 * 9 - 4);
+        for (const char *at = text; (at = strstr(at, "<rect x=\"")); at++) /* within the frame, which begins at 66 */
+            assert_order(atof(at + 9), >, 65.9);
         assert_lacks(text, "nan");
         field_free(&f);
     }
