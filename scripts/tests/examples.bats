@@ -5,6 +5,12 @@ load common
 
 cells='smooth/gauss,contact/rod,plane/source'
 
+# A python3 of PATH may be a script that looks for one: a tenth of a second in each of a hundred runs.
+find_python() { # module: else the test is skipped
+    python=$("$tree/scripts/interpreter" "$1")
+    [ -n "$python" ] || skip "no Python with $1 is here (make setup-peers has SciPy)"
+}
+
 @test "cells.c" { judge "$examples/cells_c" --only "$cells,plane/changing,driven/*,nonlinear/blast*,melt/*"; }
 
 @test "cells.c along a field, by fluxes at faces and at corners" {
@@ -19,14 +25,14 @@ cells='smooth/gauss,contact/rod,plane/source'
 }
 
 @test "cells.py, without walls too, and nodes.py at contacts" {
-    needs python3
-    judge "python3 $tree/verification/examples/cells.py" --only "$cells,periodic/wave"
-    judge "python3 $tree/verification/examples/nodes.py" --only 'contact/rod,contact/plane,contact/steady'
+    find_python subprocess
+    judge "$python $tree/verification/examples/cells.py" --only "$cells,periodic/wave"
+    judge "$python $tree/verification/examples/nodes.py" --only 'contact/rod,contact/plane,contact/steady'
 }
 
 @test "rod.py, the code of README" {
-    needs python3
-    judge "python3 $tree/verification/examples/rod.py" --quick --only 'smooth/*,walls/*,jump/*'
+    find_python subprocess
+    judge "$python $tree/verification/examples/rod.py" --quick --only 'smooth/*,walls/*,jump/*'
 }
 
 @test "cells.m" {
@@ -37,8 +43,7 @@ cells='smooth/gauss,contact/rod,plane/source'
 @test "cells.awk" { judge "awk -f $tree/verification/examples/cells.awk" --only "$cells"; }
 
 @test "triangles.py at round walls, solid.py as a thin box, lines.py" {
-    python=$("$tree/scripts/interpreter" scipy)
-    [ -n "$python" ] || skip "SciPy is not here (make setup-peers)"
+    find_python scipy
     judge "$python $tree/verification/examples/triangles.py" --only 'round/c*'
     judge "$python $tree/verification/examples/solid.py" --only 'plane/source,contact/rod'
     judge "$python $tree/verification/examples/lines.py" --only 'smooth/gauss,contact/rod,nonlinear/smooth'
