@@ -21,7 +21,7 @@ find_python() { # module: else the test is skipped
 
 @test "cells.f90" {
     [ -x "$examples/cells_f90" ] || skip "gfortran is not here"
-    judge "$examples/cells_f90" --only "$cells"
+    judge "$examples/cells_f90" --only "$cells,field/aligned,field/walls"
 }
 
 @test "cells.py, without walls too, and nodes.py at contacts" {

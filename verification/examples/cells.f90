@@ -14,11 +14,11 @@ program cells
     character(4096) :: case_file, answer_file, oracle
     integer :: dim = 1, n(2) = 1, steps, step, unit
     integer :: first_row, last_row ! of points along y: a rod is one row without a frame
-    logical :: changing = .false.
+    logical :: changing = .false., tensor = .false.
     real(dp) :: lo(2) = 0, hi(2) = 1, width(2), t_end
     ! Points (0:n(1) + 1, 0:n(2) + 1): cells from 1 to n, in a frame of the centres of the faces on
     ! the sides.
-    real(dp), allocatable :: x(:, :, :), T(:, :), source(:, :), rho_c(:, :)
+    real(dp), allocatable :: x(:, :, :), T(:, :), source(:, :), rho_c(:, :), k_xy(:, :)
     ! First index: the axis.
     real(dp), allocatable :: k(:, :, :), kind_of(:, :, :), value(:, :, :), b(:, :, :)
     ! Of cells: the conductances to x low, x high, y low, y high and what walls of given flux add.
@@ -56,7 +56,8 @@ contains
             case ('t_end'); read (text, *) t_end
             case ('source'); changing = text == 'changing'
             case ('oracle'); oracle = text
-            case ('shape', 'walls', 'k_law', 'contact_resistance', 'conductivity'); stop 77 ! boxes with steady walls and k
+            case ('conductivity'); tensor = .true. ! that varies, between held walls
+            case ('shape', 'walls', 'k_law', 'contact_resistance'); stop 77 ! boxes with steady walls and k
             end select
             if (text == 'periodic') stop 77 ! with walls alone
         end do
@@ -102,15 +103,17 @@ contains
         integer :: i, j
         real(dp) :: place(dim), wall(4, dim)
         allocate (T(0:n(1) + 1, 0:n(2) + 1), source(0:n(1) + 1, 0:n(2) + 1))
-        allocate (rho_c(0:n(1) + 1, 0:n(2) + 1))
+        allocate (rho_c(0:n(1) + 1, 0:n(2) + 1), k_xy(0:n(1) + 1, 0:n(2) + 1))
         allocate (k(2, 0:n(1) + 1, 0:n(2) + 1), kind_of(2, 0:n(1) + 1, 0:n(2) + 1))
         allocate (value(2, 0:n(1) + 1, 0:n(2) + 1), b(2, 0:n(1) + 1, 0:n(2) + 1))
         T = 0
         if (dim == 1) call ask('0', 'initial_mean,source,rho_c,k_x,wall_x')
-        if (dim == 2) call ask('0', 'initial_mean,source,rho_c,k_x,wall_x,k_y,wall_y')
+        if (dim == 2) call ask('0', 'initial_mean,source,rho_c,k_x,wall_x,k_y,wall_y'// &
+            trim(merge(',k_xy', '     ', tensor)))
         do j = first_row, last_row
             do i = 0, n(1) + 1
-                read (unit, *) place, T(i, j), source(i, j), rho_c(i, j), wall
+                if (tensor) read (unit, *) place, T(i, j), source(i, j), rho_c(i, j), wall, k_xy(i, j)
+                if (.not. tensor) read (unit, *) place, T(i, j), source(i, j), rho_c(i, j), wall
                 k(:dim, i, j) = wall(1, :)
                 kind_of(:dim, i, j) = wall(2, :)
                 value(:dim, i, j) = wall(3, :)
@@ -145,6 +148,10 @@ contains
                         if (nint(kind_of(d, e(1), e(2))) == cooled_wall) &
                             resistance = resistance + 1/b(d, e(1), e(2))
                     end if
+                    if (tensor) then ! K of the face, the mean of both cells
+                        resistance = 2*width(d)/(k(d, i, j) + k(d, e(1), e(2)))
+                        if (e(d) < 1 .or. e(d) > n(d)) resistance = width(d)/(2*k(d, e(1), e(2)))
+                    end if
                     conductance(face, i, j) = 1/(resistance*width(d))
                 end do
             end do
@@ -174,6 +181,28 @@ contains
         if (changing) close (unit)
     end subroutine
 
+    ! The fluxes of k_xy, with the mean derivative of the two cells of a face; beyond a held wall T is
+    ! 2 T_wall - T, and through it none flows, as T is uniform along it.
+    function cross_rate() result(rate)
+        real(dp) :: rate(n(1), n(2)), U(0:n(1) + 1, 0:n(2) + 1), g(n(1), n(2)), q(n(1), n(2))
+        U = T
+        U(0, :) = 2*T(0, :) - T(1, :)
+        U(n(1) + 1, :) = 2*T(n(1) + 1, :) - T(n(1), :)
+        U(:, 0) = 2*T(:, 0) - T(:, 1)
+        U(:, n(2) + 1) = 2*T(:, n(2) + 1) - T(:, n(2))
+        rate = 0
+        associate (m => n(1), l => n(2), c => k_xy(1:n(1), 1:n(2)))
+            g = (U(1:m, 2:) - U(1:m, :l - 1))/(2*width(2))
+            q(:m - 1, :) = (c(:m - 1, :) + c(2:, :))*(g(:m - 1, :) + g(2:, :))/(4*width(1))
+            rate(:m - 1, :) = rate(:m - 1, :) + q(:m - 1, :)
+            rate(2:, :) = rate(2:, :) - q(:m - 1, :)
+            g = (U(2:, 1:l) - U(:m - 1, 1:l))/(2*width(1))
+            q(:, :l - 1) = (c(:, :l - 1) + c(:, 2:))*(g(:, :l - 1) + g(:, 2:))/(4*width(2))
+            rate(:, :l - 1) = rate(:, :l - 1) + q(:, :l - 1)
+            rate(:, 2:) = rate(:, 2:) - q(:, :l - 1)
+        end associate
+    end function
+
     subroutine step_by(dt)
         real(dp), intent(in) :: dt
         integer :: i, j
@@ -187,6 +216,7 @@ contains
                     conductance(4, i, j)*(T(i, j + 1) - T(i, j))
             end do
         end do
+        if (tensor) rate = rate + cross_rate()
         T(1:n(1), 1:n(2)) = T(1:n(1), 1:n(2)) + dt*rate/rho_c(1:n(1), 1:n(2))
     end subroutine
 
