@@ -52,12 +52,12 @@ static void insulated_bodies_keep_their_heat(void **state) {
         if (strcmp((*s)->name, "plate") == 0) /* sides that agree: else their fluxes are infinite */
             p.param[2] = p.param[3] = p.param[4] = p.param[5];
         double t = 0.6 * p.t_end, dt = 0.02 * t, rate = 0, in = source_of(&p, t), size = fabs(in), error = 0;
-        size += fabs(of("heat", *s, &p, t).value) / t;
         for (int i = 1; i <= 3; i++)
             for (int side = -1; side <= 1; side += 2) {
                 struct quantity_value heat = of("heat", *s, &p, t + side * i * dt);
                 rate += side * weight[i] * heat.value / dt;
                 error += weight[1] * heat.error_bound / dt;
+                if (i == 1) size += fabs(heat.value) / (2 * t);
             }
         for (int i = 0; i < 2 * p.dim; i++) {
             if (!shape_has_wall(&p, i)) continue;
