@@ -46,13 +46,33 @@ class Reference:
 
 
 case = read_case(sys.argv[1])
-if {"shape", "k_law"} & case.keys():
-    sys.exit(77)  # a round body, which cells do not fill; k(T)
+melts = case.get("k_law") == "phases"
+if "shape" in case or ("k_law" in case and not melts):
+    sys.exit(77)  # a round body, which cells do not fill; k(T) without phases
 dim, t_end = int(case["dim"]), float(case["t_end"])
 lo, hi = numbers(case["lo"]), numbers(case["hi"])
 n = [int(word) for word in case["cells"].split(",")]
 width = [(hi[d] - lo[d]) / n[d] for d in range(dim)]
 contact, interface = float(case.get("contact_resistance", 0)), float(case.get("interface", "nan"))
+if melts:  # a solid below the melting point and a liquid above, by their enthalpy from there
+    melting_point, latent = float(case["k_ref"]), float(case["latent"])
+    k_phase, rho_c_phase = numbers(case["k_phases"]), numbers(case["rho_c_phases"])
+
+
+def heat_at(T):
+    u = T - melting_point
+    return rho_c_phase[u > 0] * u + (latent if u > 0 else 0)
+
+
+def temperature_at(heat):
+    """A cell is at the melting point while it takes its latent heat."""
+    return melting_point + (max(heat - latent, 0) / rho_c_phase[1] if heat > 0 else heat / rho_c_phase[0])
+
+
+def potential(T):
+    """The integral of k from the melting point: the flux through a face is its difference."""
+    return k_phase[T > melting_point] * (T - melting_point)
+
 
 # The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides
 # (drawn in cells.c).
@@ -93,7 +113,7 @@ for c in cells:
     for d in range(dim):
         for e in (beyond(c, d, -1), beyond(c, d, 1)):
             kind, value, b = wall[e][d]
-            resistance = width[d] / (2 * k[c][d])
+            resistance = width[d] / (2 * (1 if melts else k[c][d]))
             if on_side(e, d):
                 beside.append((e, d, c))
             if on_side(e, d) and kind == FLUX:
@@ -106,7 +126,7 @@ for c in cells:
             if on_side(e, d):
                 resistance += 1 / b if kind == COOLED else 0
             else:
-                resistance += width[d] / (2 * k[e][d])
+                resistance += width[d] / (2 * (1 if melts else k[e][d]))
             if contact > 0 and (points[c][0] < interface) != (points[e][0] < interface):
                 resistance += contact
             faces[c].append((e, 1 / (resistance * width[d])))
@@ -171,15 +191,21 @@ set_walls([wall[e][d][1] for e, d, c in beside])
 if moving:
     frame = Reference(case["oracle"], sys.argv[2] + ".frame", [points[e] for e, d, c in beside], width)
     walls = frame.ask(times, "wall_x" + (",wall_y" if dim == 2 else ""))
+heat = [heat_at(value) for value in T] if melts else []
 for step in range(steps):
     if changing:
         source = sources[step * len(points):(step + 1) * len(points)]
     if moving:
         now = walls[step * len(beside):(step + 1) * len(beside)]
         set_walls([values[2 + 3 * d] for values, (e, d, c) in zip(now, beside)])
-    rate = [source[c] + flux[c] + sum([g * (T[e] - T[c]) for e, g in faces[c]]) for c in cells]
+    P = [potential(value) for value in T] if melts else T
+    rate = [source[c] + flux[c] + sum([g * (P[e] - P[c]) for e, g in faces[c]]) for c in cells]
     for c, r in zip(cells, rate):
-        T[c] += dt * r / rho_c[c]
+        if melts:
+            heat[c] += dt * r
+            T[c] = temperature_at(heat[c])
+        else:
+            T[c] += dt * r / rho_c[c]
 
 with open(sys.argv[2], "w") as f:
     print("# steps =", steps, file=f)

@@ -79,6 +79,17 @@ static int is_off_at_one(const struct fault_fit *c, struct diagnosis *d) {
     return 0;
 }
 
+/* Most faults of melting displace the front, and one row can often not tell them apart: 1 if what another leaves is
+ * less than twice of what this one does. */
+static int is_shared(const struct evidence *found, const struct fault_fit *best) {
+    const double left = 1 - best->rung[0].share;
+    for (int i = 0; i < found->n && found->melts; i++) {
+        const struct fault_fit *c = &found->fit[i];
+        if (c->fault.kind != best->fault.kind && stays(c) && 1 - c->rung[0].share < 2 * left) return 1;
+    }
+    return 0;
+}
+
 void diagnosis_choose(const struct evidence *found, struct diagnosis *d) {
     const int n = found ? found->n : 0;
     const struct fault_fit *c = found ? found->fit : NULL;
@@ -92,6 +103,10 @@ void diagnosis_choose(const struct evidence *found, struct diagnosis *d) {
         const struct fit *fine = &c[i].rung[0];
         if (fine->part < FIT_MOST || fine->share < fmax(FIT_SHARE, most - INDISTINCT) || !stays(&c[i])) continue;
         if (best < 0 || is_better(&c[i], &c[best])) best = i;
+    }
+    if (best >= 0 && is_shared(found, &c[best])) {
+        snprintf(d->what, sizeof d->what, "a front that is displaced, for which several faults explain as much");
+        return;
     }
     if (best >= 0) {
         *d = diagnosis_of(&c[best], c[best].name, c[best].rung[0].size / c[best].unit[0]);

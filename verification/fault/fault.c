@@ -95,6 +95,26 @@ static const struct fault_places
               (const char *const[]){"b were turned by 90 degrees, or k_par and k_perp in each other's place",
                                     "k_perp were lost", "heat were conducted by k_par in all directions"},
               "the field were another"},
+    fronts = {AT_FRONT_LOOSE + 1,
+              (const char *const[]){"the latent heat were lost", "the front stayed in its first cell",
+                                    "no heat passed a cell at the melting point, as with a harmonic mean of k",
+                                    "a cell were not held at the melting point while it melts"},
+              "the front were another"},
+    ranges = {3,
+              (const char *const[]){" above the melting point", " about the melting point",
+                                    " below the melting point"},
+              ""},
+    phase_parts = {4,
+                   (const char *const[]){"k of the solid", "k of the liquid", "rho c of the solid",
+                                         "rho c of the liquid"},
+                   "k or rho c of a phase"},
+    phases_of = {PHASES_BOTH + 1,
+                 (const char *const[]){
+                     "k of solid and liquid were in each other's place", "k of the liquid were that of the solid",
+                     "k of the solid were that of the liquid", "rho c of solid and liquid were in each other's place",
+                     "rho c of the liquid were that of the solid", "rho c of the solid were that of the liquid",
+                     "solid and liquid were in each other's place"},
+                 "k or rho c were of the other phase"},
     materials = {MATERIAL_MAX, (const char *const[]){"first", "second"}, "a"};
 
 /* An axis: one, both of a plane or all of a box. */
@@ -365,12 +385,23 @@ static double law_at_side(const struct problem *p, int s) {
 
 static int has_any_law(const struct problem *p, int at) {
     (void)at;
-    return p->k_law != K_CONSTANT;
+    return p->k_law != K_CONSTANT && p->k_law != K_PHASES;
+}
+
+static int has_phases(const struct problem *p, int at) {
+    const double *k = p->phase_k, *rho_c = p->phase_rho_c;
+    const int of_k = at < PHASES_RHO_C || at == PHASES_BOTH, of_rho_c = at >= PHASES_RHO_C;
+    return p->k_law == K_PHASES && (!of_k || k[0] != k[1]) && (!of_rho_c || rho_c[0] != rho_c[1]);
+}
+
+static int has_latent(const struct problem *p, int at) {
+    (void)at;
+    return p->k_law == K_PHASES;
 }
 
 static int has_law(const struct problem *p, int at) {
     int s = at - LAW_SIDE;
-    if (!p->k_law) return 0;
+    if (!has_any_law(p, at)) return 0;
     if (at == LAW_REF) return p->k_law == K_LINEAR;
     if (at == LAW_START) return p->source_at || p->wall_rate; /* else the start may be steady */
     if (at == LAW_HARMONIC) return 1;
@@ -390,6 +421,7 @@ static void conductivity(struct faulty *f) {
     for (int k = 0; k < DIM_MAX; k++) q->cross[k] *= 1 + f->size;
     q->k_par *= 1 + f->size, q->k_perp *= 1 + f->size;
     q->k_0 *= 1 + f->size;
+    for (int m = 0; m < 2; m++) q->phase_k[m] *= 1 + f->size;
 }
 
 static void axis(struct faulty *f) {
@@ -497,6 +529,7 @@ static void mean(struct faulty *f) {
 static void amplitude(struct faulty *f) {
     f->factor = 1 + f->size;
     f->problem.k_ref *= f->factor;
+    f->problem.latent *= f->factor;
     f->problem.k_beta /= f->factor;
     if (f->right->k_law == K_POWER) f->problem.k_0 /= pow(f->factor, f->right->k_n);
 }
@@ -532,6 +565,7 @@ static void stretch(struct faulty *f, int a, double more) {
     for (int b = 0; b < DIM_MAX; b++)
         if (b != a) q->cross[problem_pair(a, b)] /= s;
     q->k_0 /= s * s;
+    for (int m = 0; m < 2; m++) q->phase_k[m] /= s * s;
     for (int hi = 0; hi < 2; hi++) q->robin[2 * a + hi] /= s;
     for (int k = 0; k < q->jumps[a]; k++) q->jump[a][k] = f->centre[a] + (q->jump[a][k] - f->centre[a]) / s;
     if (a == 0) q->resistance *= s;
@@ -655,6 +689,41 @@ static void law(struct faulty *f) {
     if (is_single) q->k_law = K_LINEAR, q->k_0 = single, q->k_beta = 0;
 }
 
+static void phases(struct faulty *f) {
+    const struct problem *p = f->right;
+    const int at = f->fault.at, of_k = at < PHASES_RHO_C || at == PHASES_BOTH, of_rho_c = at >= PHASES_RHO_C;
+    for (int m = 0; m < 2; m++) {
+        const int from = at % PHASES_RHO_C == PHASES_SWAPPED ? 1 - m : at % PHASES_RHO_C == PHASES_LIQUID;
+        if (of_k) f->problem.phase_k[m] = p->phase_k[from];
+        if (of_rho_c) f->problem.phase_rho_c[m] = p->phase_rho_c[from];
+    }
+}
+
+static void phase_part(struct faulty *f) {
+    struct problem *q = &f->problem;
+    *(f->fault.at < 2 ? &q->phase_k[f->fault.at] : &q->phase_rho_c[f->fault.at - 2]) *= 1 + f->size;
+}
+
+static void latent(struct faulty *f) {
+    f->problem.latent *= fmax(0, 1 + f->size);
+}
+
+static void front(struct faulty *f) {
+    if (f->fault.at == AT_FRONT_LOST) f->problem.latent = 0;
+    if (f->fault.at == AT_FRONT_KEPT) f->problem.latent *= 1e6;
+    if (f->fault.at == AT_FRONT_LOCKED) f->front = FRONT_LOCKED;
+    if (f->fault.at == AT_FRONT_LOOSE) f->front = FRONT_LOOSE;
+}
+
+static void melting_range(struct faulty *f) {
+    f->range[0] = f->fault.at > 0 ? f->size / (f->fault.at == 1 ? 2 : 1) : 0;
+    f->range[1] = f->size - f->range[0];
+}
+
+static void melting_point(struct faulty *f) {
+    f->problem.k_ref += f->size;
+}
+
 const struct fault_row fault_rows[FAULT_KINDS] = {
 #define FAULT(NAME, ...) [FAULT_##NAME] = {.name = #NAME, __VA_ARGS__},
 #include "verification/fault/fault.def"
@@ -678,12 +747,16 @@ double fault_scale(const struct problem *p, struct fault fault) {
     const int a = fault.at < p->dim ? fault.at : 0;
     const enum fault_unit unit = fault_rows[fault.kind].unit;
     if (unit == UNIT_TIME) return p->t_end;
+    if (p->k_law == K_PHASES && unit == UNIT_KELVIN)
+        return fabs(p->wall(p, X_HI, p->hi, 0) - p->wall(p, X_LO, p->lo, 0));
     return unit == UNIT_LENGTH || fault.kind == FAULT_SAMPLES ? p->hi[a] - p->lo[a] : 1;
 }
 
 double fault_probe(const struct problem *p, struct fault fault) {
     const struct fault_row *row = &fault_rows[fault.kind];
     if (row->probe > 0) return row->probe * fault_scale(p, fault);
+    if (p->k_law == K_PHASES && row->unit != UNIT_WHOLE)
+        return 0.05 * fault_scale(p, fault); /* many cells of a front */
     return row->unit == UNIT_WHOLE ? 1 : fault_scale(p, fault) * (row->unit == UNIT_LENGTH ? 0.005 : 0.01);
 }
 

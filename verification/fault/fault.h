@@ -58,6 +58,12 @@ enum { FAULT_BOTH_AXES = DIM_MAX, FAULT_ALL_AXES, FAULT_ALL_SIDES = SIDES, FAULT
 /* FAULT_LAW: k of the initial temperature, of k_ref, of a side; harmonic means. */
 enum { LAW_START, LAW_REF, LAW_SIDE, LAW_HARMONIC = LAW_SIDE + 4, LAWS };
 
+/* FAULT_PHASES, of k and then of rho c: each other's, those of the solid, those of the liquid; each other's of both.
+ */
+enum { PHASES_SWAPPED, PHASES_SOLID, PHASES_LIQUID, PHASES_RHO_C, PHASES_BOTH = 2 * PHASES_RHO_C };
+/* FAULT_FRONT: without latent heat; in its first cell; see enum front. */
+enum { AT_FRONT_LOST, AT_FRONT_KEPT, AT_FRONT_LOCKED, AT_FRONT_LOOSE };
+
 /* FAULT_FIELD */
 enum { FIELD_TURNED, FIELD_LOST, FIELD_ALL, FIELDS };
 

@@ -19,6 +19,9 @@ struct fault {
     int at; /* the place: an axis, a side, a pair of axes; 0 if the kind has one place */
 };
 
+/* A cell at the melting point: held there, not held, or passing no heat. */
+enum front { FRONT_HELD, FRONT_LOOSE, FRONT_LOCKED };
+
 /* Changes by a fault, besides the coefficients of `problem`.  The problem points into this struct and
  * must not be copied separately. */
 struct faulty {
@@ -46,6 +49,8 @@ struct faulty {
     int laplacian;      /* 1: k lap T stands for div(k grad T) */
     int twice[DIM_MAX]; /* 1: the faces at which periodic sides meet count twice */
     enum mean mean;     /* the mean of two conductivities */
+    enum front front;   /* a melting cell */
+    double range[2];    /* K: latent heat is taken from that far below the melting point to that far above */
 };
 
 /* Sets *f to *p with that fault and size.  Returns 1 if *p can have the fault. */

@@ -73,25 +73,40 @@ double fit_share(const struct fit *fit, double size) {
     return fit->product[E][E] > 0 ? 1 - least(fit, SIZE + 1, x) / fit->product[E][E] : 0;
 }
 
+/* At a front a correct code has the error of a front dx/4 away on average, 2 g, and up to dx/2. */
+static void front_errors(const struct problem *p, const struct response_lattice *l, const struct diagnosis_rung *r,
+                         const double *base, double *g) {
+    struct response moved;
+    memset(g, 0, r->field->n * sizeof *g);
+    if (response_take(p, l, (struct fault){FAULT_START_SHIFT, 0}, l->dx, &moved)) return;
+    response_at(&moved, l, r->field, base, g);
+    for (size_t i = 0; i < r->field->n; i++) g[i] *= r->dx / 8;
+    response_free(&moved);
+}
+
 struct fit_errors fit_errors(const struct problem *p, const struct response_lattice *l,
-                             const struct diagnosis_rung *r) {
+                             const struct diagnosis_rung *r, double *base) {
     const struct field *f = r->field;
-    struct fit_errors s = {.field = f, .is_mean = p->jumps[0] + p->jumps[1] + p->jumps[2] == 0 && p->materials == 1};
+    const int melts = p->k_law == K_PHASES;
+    const int is_mean = p->jumps[0] + p->jumps[1] + p->jumps[2] == 0 && p->materials == 1 && !melts;
+    struct fit_errors s = {.field = f, .is_mean = is_mean};
     double **const owned[] = {&s.e, &s.g, &s.h, &s.m};
     for (int k = 0; k < 4; k++) *owned[k] = xcalloc(f->n, sizeof(double));
     double *size = xcalloc(f->n, sizeof *size), dx2 = pow(r->dx / l->dx, 2);
-    response_base(p, l, f, s.g, s.h);
+    response_base(p, l, f, base, s.h);
     struct response clock;
-    if (p->materials == 1) {
+    if (melts) {
+        front_errors(p, l, r, base, s.g);
+    } else if (p->materials == 1) {
         response_laplacian(p, l, f, s.m);
     } else if (!response_take(p, l, (struct fault){FAULT_CLOCK, 0}, 0, &clock)) {
-        response_at(&clock, l, f, s.g, s.m);
+        response_at(&clock, l, f, base, s.m);
         response_free(&clock);
     }
     double kappa = p->materials == 1 ? 1 : problem_diffusivity(p);
     for (size_t i = 0; i < f->n; i++) s.m[i] *= r->dx * r->dx / (24 * kappa);
     for (size_t i = 0; i < f->n; i++) {
-        s.g[i] = dx2 * (s.g[i] - r->exact[i]);
+        if (!melts) s.g[i] = dx2 * (base[i] - r->exact[i]);
         s.h[i] *= dx2;
         size[i] = isfinite(s.g[i]) ? fabs(s.g[i]) : INFINITY;
     }
@@ -172,6 +187,7 @@ static void prefer(struct fault_fit *c, const char *name) {
 static void find_unit(const struct problem *p, struct fault_fit *c, const struct diagnosis_rung *rung) {
     static const double LEAST_MEAN = 0.3; /* least fraction of the arithmetic mean's effect to detect another mean */
     static const double HALVES = 0.06;    /* cells */
+    static const double FRONT = 0.1;      /* by the place of a front in its cell */
     const struct fault_row *row = &fault_rows[c->fault.kind];
     for (int k = 0; k < 2; k++) {
         c->cell[k] = c->fault.kind == FAULT_SAMPLES ? displacement(p, c->fault.at, &rung[k]) : rung[k].dx;
@@ -190,6 +206,7 @@ static void find_unit(const struct problem *p, struct fault_fit *c, const struct
         double a = p->material[0].k[0], b = p->material[1].k[0], harmonic = (1 / a + 1 / b) / 2;
         c->geometric = (1 / sqrt(a * b) - harmonic) / (2 / (a + b) - harmonic);
     }
+    if (p->k_law == K_PHASES && c->drift < FRONT) c->drift = 0;
     double due = row->is & FAULT_CELL ? row->cells : 1, found = c->rung[0].size / c->unit[0] / due;
     if ((row->unit == UNIT_WHOLE || row->is & FAULT_CELL) && !(fabs(found - 1) <= FIT_STEADY)) c->drift = INFINITY;
     double half = nearbyint(2 * found) / 2;
@@ -297,11 +314,10 @@ static struct evidence *fit_sample(const struct problem *p, const struct diagnos
     if (response_lattice_create(p, &l)) return NULL;
     struct looked_at at = {.p = p, .l = &l, .rung = rung};
     struct evidence *c = xcalloc(1, sizeof *c);
+    c->melts = p->k_law == K_PHASES;
     for (int k = 0; k < 2; k++) {
-        double dx2 = pow(rung[k].dx / l.dx, 2);
-        at.errors[k] = fit_errors(p, &l, &rung[k]);
         at.base[k] = xcalloc(rung[k].field->n, sizeof **at.base);
-        for (size_t i = 0; i < rung[k].field->n; i++) at.base[k][i] = at.errors[k].g[i] / dx2 + rung[k].exact[i];
+        at.errors[k] = fit_errors(p, &l, &rung[k], at.base[k]);
     }
     at.response = xcalloc(rung[0].field->n + rung[1].field->n, sizeof *at.response);
     fit_each(&at, c);

@@ -35,9 +35,10 @@ struct fit_errors {
     int is_mean; /* 1: the code may use cell means as point values */
 };
 
-/* If `mean` of *r is known, it is already subtracted.  The caller calls fit_errors_free. */
+/* If `mean` of *r is known, it is already subtracted.  Sets base[] by response_base.  The caller calls
+ * fit_errors_free. */
 struct fit_errors fit_errors(const struct problem *p, const struct response_lattice *l,
-                             const struct diagnosis_rung *r);
+                             const struct diagnosis_rung *r, double *base);
 void fit_errors_free(struct fit_errors *s);
 
 /* Least squares for a fault with the response f, K per unit of its size, at the points of *s. */
@@ -63,6 +64,7 @@ struct fault_fit {
 enum { FIT_ALL = 160 };
 struct evidence {
     int n;
+    int melts; /* 1: a problem with phases */
     struct fault_fit fit[FIT_ALL];
 };
 

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Responses: the difference of two runs divided by the size of the fault, interpolated to the points by splines
- * (GSL: cubic; Steffen's for two materials, which does not overshoot at their interface; in space by cubics through
- * four points of each axis).  Beyond the outermost cell centres the interpolation on rods and in the plane is linear.
+ * (GSL: cubic; Steffen's for two materials or phases, which does not overshoot where they meet; in space by cubics
+ * through four points of each axis).  Beyond the outermost cell centres the interpolation on rods and in the plane is
+ * linear.
  */
 #include "verification/fault/response.h"
 
 #include "references/kirchhoff.h"
 #include "solver/method.h"
+#include "verification/fault/melting.h"
 
 #include <gsl/gsl_interp2d.h>
 #include <gsl/gsl_spline.h>
@@ -105,6 +107,10 @@ static void solve_by_steps(const struct faulty *f, double dx, struct field *out)
 static int solve(const struct faulty *with, double dx, double fourier, struct field *f) {
     const struct problem *p = &with->problem;
     struct failure ignored;
+    if (p->k_law == K_PHASES) {
+        melting_solve(with, dx, f);
+        return 0;
+    }
     struct options o = {.dx = dx,
                         .fourier = fourier,
                         .stepper = fourier > 0 ? STEPPER_EULER : STEPPER_RKL2,
@@ -140,7 +146,9 @@ static int fit(const struct problem *p, int n) {
 int response_lattice_create(const struct problem *p, struct response_lattice *l) {
     /* the steps of k(T), and of walls that change in the plane, take ten times as long */
     const int coarse = p->k_law || (p->wall_rate && p->dim > 1) ? 2 : 1;
-    const int least = p->dim == 3 ? 16 : 64 / coarse, most = p->dim == 3 ? 40 : 128 / coarse, few = 4;
+    const int melts = p->k_law == K_PHASES, fine = 128; /* the front is known to a part of a cell */
+    const int least = melts ? fine : p->dim == 3 ? 16 : 64 / coarse, few = 4;
+    const int most = p->dim == 3 ? 40 : 2 * least;
     double longest = 1; /* in units of the extent along x; a column has few cells along x */
     for (int a = 0; a < p->dim && p->dim == 3; a++)
         longest = fmax(longest, (p->hi[a] - p->lo[a]) / (p->hi[0] - p->lo[0]));
@@ -159,6 +167,7 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
     l->T = f.T;
     f.T = NULL;
     field_free(&f);
+    if (melts) return 0;
     if (solve(&none, l->dx, 3 * FOURIER, &f)) {
         response_lattice_free(l);
         return -1;
@@ -190,7 +199,8 @@ static double *place(const struct faulty *with, const struct field *f, size_t i,
 /* At the points from `from` to `to`. */
 static void along_part(const struct faulty *with, const double *x, const double *D, size_t n, double from, double to,
                        const struct field *f, double *out) {
-    const gsl_interp_type *type = with->right->materials == 2 ? gsl_interp_steffen : gsl_interp_cspline;
+    const int bends = with->right->materials == 2 || with->right->k_law == K_PHASES;
+    const gsl_interp_type *type = bends ? gsl_interp_steffen : gsl_interp_cspline;
     gsl_spline *spline = gsl_spline_alloc(type, n);
     gsl_interp_accel *near = gsl_interp_accel_alloc();
     gsl_spline_init(spline, x, D, n);
@@ -291,7 +301,7 @@ void response_base(const struct problem *p, const struct response_lattice *l, co
     struct faulty none;
     make_none(p, &none);
     carry(&none, l, l->T, f, base);
-    carry(&none, l, l->longer, f, longer);
+    if (l->longer) carry(&none, l, l->longer, f, longer);
 }
 
 void response_laplacian(const struct problem *p, const struct response_lattice *l, const struct field *f,

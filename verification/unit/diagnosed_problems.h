@@ -59,7 +59,7 @@ static inline void solve(const char *name, const struct problem *p, struct fault
     if (fault_rows[fault.kind].unit == UNIT_LENGTH || fault.kind == FAULT_CORNER || fault.kind == FAULT_SAMPLES)
         size *= dx;
     assert_true(faulty_make(p, fault, size, &with));
-    o.mean = with.mean;
+    o.mean = p->k_law == K_PHASES ? MEAN_KIRCHHOFF : with.mean;
     if (method_solve(method_find("ftcs"), &with.problem, &o, &r->field, &why)) fail_msg("%s: %s", name, why.text);
     r->exact = xcalloc(r->field.n, sizeof *r->exact);
     for (int a = 0; a < p->dim; a++)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Faults planted in a correct code are named, with their size; a correct code has none. */
 #include "verification/fault/diagnosis.h"
+#include "verification/fault/fit.h"
 #include "verification/fault/headline.h"
 
 #include "verification/unit/diagnosed_problems.h"
@@ -110,6 +111,12 @@ static void faults_are_named_with_their_size(void **state) {
         {"plate-cooling", 0.025, {FAULT_NEAR_WALL, 0}, 0.5, 0.5, "half a cell inside"},
         {"rod-step", 0.025, {FAULT_OFFSET, 0}, -0.07, -0.07, "all temperatures are 0.07 K too low"},
         {"plate", 0.0025, {FAULT_OFFSET, 0}, 273.15, 273.15, "degrees Celsius and kelvin"},
+        {"melt", 0.0125, {FAULT_FRONT, AT_FRONT_LOST}, 1, 100, "latent heat were lost"},
+        {"melt", 0.0125, {FAULT_FRONT, AT_FRONT_KEPT}, 1, 100, "first cell"},
+        {"melt", 0.0125, {FAULT_PHASES, PHASES_SWAPPED}, 1, 100, "k of solid and liquid"},
+        {"melt", 0.0125, {FAULT_PHASES, PHASES_LIQUID}, 1, 100, "k of the solid were that of the liquid"},
+        {"melt", 0.0125, {FAULT_PHASES, PHASES_RHO_C + PHASES_SWAPPED}, 1, 100, "rho c of solid and liquid"},
+        {"melt", 0.0125, {FAULT_PHASES, PHASES_BOTH}, 1, 100, "if solid and liquid"},
     };
     int wrong = 0;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -120,6 +127,37 @@ static void faults_are_named_with_their_size(void **state) {
         wrong += !is_right;
     }
     assert_int_equal(wrong, 0);
+}
+
+/* One row cannot tell all faults that displace a front apart, but sizes each. */
+static void faults_of_melting_are_sized(void **state) {
+    (void)state;
+    static const struct {
+        struct fault fault;
+        double size;
+    } rows[] = {{{FAULT_LATENT, 0}, -0.3},
+                {{FAULT_CONDUCTIVITY, 0}, 0.2},
+                {{FAULT_PHASE_PART, 1}, 0.3},
+                {{FAULT_MELTING_POINT, 0}, 0.2}};
+    struct problem p = problem_of("melt");
+    for (int i = 0; i < 4; i++) {
+        struct rung r[2];
+        struct diagnosis d;
+        int found = 0;
+        for (int k = 0; k < 2; k++) solve("melt", &p, rows[i].fault, rows[i].size, k ? 0.025 : 0.0125, &r[k]);
+        diagnosis_find(&p, &r[0].at, &r[1].at, &d);
+        print_message("%s\n", d.what);
+        for (int j = 0; j < d.evidence->n; j++) {
+            const struct fault_fit *fit = &d.evidence->fit[j];
+            if (fit->fault.kind != rows[i].fault.kind || fit->fault.at != rows[i].fault.at) continue;
+            assert_near(fit->rung[0].size, rows[i].size, 0.1 * fabs(rows[i].size));
+            assert_order(fit->rung[0].share, >, FIT_SHARE);
+            found++;
+        }
+        assert_int_equal(found, 1);
+        for (int k = 0; k < 2; k++) forget(&r[k]);
+        free(d.evidence);
+    }
 }
 
 /* A jump a third of a cell below a face at dx = 0.05, a third above one at 0.025: values at the points put it there.
@@ -445,11 +483,11 @@ static void large_answers_are_sampled(void **state) {
 
 static void correct_codes_have_no_fault(void **state) {
     (void)state;
-    static const char *const names[] = {"rod-gauss",   "rod-step", "rod-cosine",       "rod-contact",
-                                        "square-step", "plate",    "rect-manufactured"};
-    static const double fine[] = {0.15, 0.025, 0.025, 0.01, 0.05, 0.0025, 0.025};
+    static const char *const names[] = {"rod-gauss",   "rod-step", "rod-cosine",        "rod-contact",
+                                        "square-step", "plate",    "rect-manufactured", "melt"};
+    static const double fine[] = {0.15, 0.025, 0.025, 0.01, 0.05, 0.0025, 0.025, 0.0125};
     int named = 0;
-    for (int i = 0; i < 7; i++) {
+    for (int i = 0; i < 8; i++) {
         named += find(names[i], (struct fault){FAULT_AMPLITUDE, 0}, 0, fine[i]).named;
     }
     assert_int_equal(named, 0);
@@ -458,6 +496,7 @@ static void correct_codes_have_no_fault(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faults_are_named_with_their_size),
+        cmocka_unit_test(faults_of_melting_are_sized),
         cmocka_unit_test(point_values_in_place_of_means_are_named),
         cmocka_unit_test(rounded_temperatures_are_named),
         cmocka_unit_test(few_rounded_temperatures_are_not_named),

@@ -221,7 +221,9 @@ static void interface_splits_a_cell_mean(void **state) {
 }
 
 /* The heat within a front on a circle or a sphere, over its volume T_c n/(n + 1) in the plane and, from the beta
- * function, 0.6455 T_c in space for n = 5/2: each cell that the front cuts is off by 1/32^1.4 of its own at most. */
+ * function, 0.6455 T_c in space for n = 5/2: each cell that the front cuts is off by 1/32^1.4 of its own at
+ * most; in space 14^2 lines of points are off by 1/14^1.4 with either sign, 1/14^2.4 of a cell, in 100 cells that
+ * have a quarter of the heat: 4e-5. */
 static void cells_that_a_curved_front_cuts_keep_heat(void **state) {
     (void)state;
     const double part[] = {0, 0, 2.5 / 3.5, 3 / 2. * tgamma(1.5) * tgamma(1.4) / tgamma(2.9)}, r0 = 0.4, dx = 0.05;
