@@ -402,6 +402,10 @@ static void unstable_runs_are_named(void **state) {
     struct diagnosis d;
     solve("rod-step", &p, (struct fault){FAULT_AMPLITUDE, 0}, 0, 0.05, &r);
     assert_int_equal(diagnosis_unstable(&r.at, &d), 0);
+    double first = r.exact[0];
+    r.exact[0] = INFINITY; /* no temperature there */
+    assert_int_equal(diagnosis_unstable(&r.at, &d), 0);
+    r.exact[0] = first;
     for (size_t i = 0; i < r.field.n; i++) r.field.T[i] = i % 2 ? 1e9 : -1e9;
     assert_int_equal(diagnosis_unstable(&r.at, &d), 1);
     assert_has(d.what, "the run is unstable, up to 1e+09 K");
