@@ -312,28 +312,37 @@ static int position(const struct problem *p, double *const x[DIM_MAX], const siz
     return walls;
 }
 
-/* Refuses a position of the lattice without a point. */
+/* Refuses a position of the lattice without a point; one on a wall only if no other lacks its point. */
 static int check_places(const struct samples *s, const struct problem *p, double *const x[DIM_MAX],
                         const size_t n[DIM_MAX], struct failure *why) {
     size_t all = n[0] * n[1] * n[2], missing = 0, first = 0;
+    int walls, least = 2;
     unsigned char *has = xcalloc(all, 1);
     double at[DIM_MAX];
-    char layers[30] = "", where[100] = "";
+    char layers[30] = "", where[100] = "", wall[100] = "";
     for (size_t i = 0; i < s->n; i++) {
         size_t c = 0;
         for (int a = p->dim; a-- > 0;) c = c * n[a] + gsl_interp_bsearch(x[a], s->value[a][i], 0, n[a]);
         has[c] = 1;
     }
-    for (size_t c = all; c-- > 0;)
-        if (!has[c] && position(p, x, n, c, at) < 2) missing++, first = c;
+    for (size_t c = all; c-- > 0;) {
+        if (has[c] || (walls = position(p, x, n, c, at)) >= 2) continue;
+        missing++;
+        if (walls <= least) least = walls, first = c;
+    }
     free(has);
     if (!missing) return STATUS_OK;
     position(p, x, n, first, at);
     if (p->dim == 3) snprintf(layers, sizeof layers, " by %zu layers", n[2]);
-    for (int a = 0; a < p->dim; a++) words_add(where, sizeof where, "%s%c = %.6g", a ? ", " : "", "xyz"[a], at[a]);
-    return refuse(why, STATUS_INPUT, "%.150s: %zu point%s missing from %zu columns by %zu rows%s, at %s m%s", s->path,
-                  missing, missing == 1 ? " is" : "s are", n[0], n[1], layers, where,
-                  missing == 1 ? "" : " and elsewhere");
+    for (int a = 0; a < p->dim; a++) {
+        words_add(where, sizeof where, "%s%c = %.6g", a ? ", " : "", "xyz"[a], at[a]);
+        if (on_wall(p, a, at[a]))
+            words_add(wall, sizeof wall, ": the wall %c = %.6g m has points along all of it, or none", "xyz"[a],
+                      at[a]);
+    }
+    return refuse(why, STATUS_INPUT, "%.150s: %zu point%s missing from %zu columns by %zu rows%s, at %s m%s%s",
+                  s->path, missing, missing == 1 ? " is" : "s are", n[0], n[1], layers, where,
+                  missing == 1 ? "" : " and elsewhere", wall);
 }
 
 int coverage_check_missing(const struct samples *s, const struct image *image, const double *d, struct failure *why) {

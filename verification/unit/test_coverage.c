@@ -193,6 +193,15 @@ static void missing_point_of_a_plane_is_named(void **state) {
     size_t m = lattice(node, step, nodes, 0);
     expect_missing("rect-manufactured", m, NULL); /* no corner */
     expect_missing("rect-manufactured", m - 2, "1 point is missing");
+    m = lattice(centre, step, n, -1);
+    at_x[m] = 0, at_y[m] = 0.375;
+    expect_missing("rect-manufactured", m + 1,
+                   "at x = 0, y = 0.025 m and elsewhere: the wall x = 0 m has points along");
+    m = lattice(node, step, nodes, 2 * 21);
+    at_x[5 * 21 + 2] = at_x[5 * 21 + 1]; /* a place inside is named before one on a wall */
+    expect_missing("rect-manufactured", m,
+                   "2 points are missing from 21 columns by 15 rows, at x = 0.15, y = 0.25 m and");
+    assert_null(strstr(why.text, "wall"));
     expect_missing("rect-manufactured", lattice(centre, step, (int[2]){20, 13}, -1), "missing at y = 0.675 m");
     m = lattice(node, step, nodes, -1);
     for (size_t i = 0; i < m; i++) at_x[i] += 0.01 * sin((double)i) * (at_x[i] > 0.1 && at_x[i] < 0.9);
