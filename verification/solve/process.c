@@ -4,9 +4,11 @@
 #include "verification/solve/process.h"
 
 #include "solver/status.h"
+#include "solver/words.h"
 #include "verification/text/output.h"
 #include "verification/text/utf8.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <omp.h>
@@ -20,7 +22,7 @@
 
 extern char **environ;
 
-enum { LINE = 400, SKIPPED = 77, OVERDUE = 124, SIGNALLED = 128 };
+enum { LINE = 400, SAID = 3, QUOTED = 120, SKIPPED = 77, OVERDUE = 124, SIGNALLED = 128 };
 static const double GRACE = 2;  /* s that processes started by a program may outlive it */
 static const double MERCY = 1;  /* s from SIGTERM to SIGKILL */
 static const int PATIENCE = 20; /* ms between two looks */
@@ -39,7 +41,7 @@ struct running {
     double start, end;  /* s */
     char line[LINE];    /* the line being printed */
     size_t length;
-    char last[LINE]; /* the last line that is not blank */
+    char said[SAID][QUOTED + 1]; /* the last lines that are not blank, the newest last */
 };
 
 /* $0 is the command, $1 its TMPDIR. */
@@ -78,6 +80,21 @@ static int start(struct running *r) {
     return error;
 }
 
+/* A line of a stack: "  File ...", " at Main.main(...)", "#1 ...".  Fortran begins a line of text with one blank. */
+static int is_frame(const char *line) {
+    return strncmp(line, "  ", 2) == 0 || strncmp(line, " at ", 4) == 0 ||
+           (*line == '#' && isdigit((unsigned char)line[1]));
+}
+
+/* The reason is the last line of C or Python, but Java and Fortran print a stack after it and Rust a note: the last
+ * lines are quoted, without a stack. */
+static void keep_line(struct running *r, const char *line) {
+    if (!line[strspn(line, " ")] || (*r->said[SAID - 1] && is_frame(line))) return;
+    memmove(r->said[0], r->said[1], sizeof r->said - sizeof r->said[0]);
+    snprintf(r->said[SAID - 1], sizeof r->said[0], "%.*s", QUOTED, line + strspn(line, " "));
+    utf8_clean(r->said[SAID - 1]); /* a character may be cut */
+}
+
 /* Prints the first `length` bytes of the line, cleaned: the text is foreign and must not control the terminal. */
 static void print_line(struct running *r, size_t length) {
     char rest[LINE];
@@ -86,7 +103,7 @@ static void print_line(struct running *r, size_t length) {
     r->line[length] = '\0';
     utf8_clean(r->line);
     fprintf(stderr, "%s: %s\n", r->process->label, r->line);
-    if (r->line[strspn(r->line, " ")]) memcpy(r->last, r->line, length + 1);
+    keep_line(r, r->line);
     memcpy(r->line, rest, r->length = more);
 }
 
@@ -145,23 +162,28 @@ static void terminate(struct running *r) {
     while (!r->reaped) look(r);
 }
 
+static void quote(const struct running *r, char *text, size_t size) {
+    *text = '\0';
+    for (int i = 0; i < SAID; i++)
+        if (*r->said[i]) words_add(text, size, "%s%s", *text ? " | " : "; it said last: ", r->said[i]);
+}
+
 static int judge(const struct running *r, enum end end, struct failure *why) {
-    const char *says = *r->last ? "; it said last: " : "";
+    char said[SAID * (QUOTED + 3) + 20];
     int status = r->status;
+    quote(r, said, sizeof said);
     if (end == INTERRUPTED)
         return refuse(why, STATUS_NUMERICAL, "--solver: interrupted by signal %d", output_noted());
     if (end == TIMED_OUT)
-        return refuse(why, STATUS_NUMERICAL, "--solver: not done after %g s (--timeout)%s%.160s", r->process->timeout,
-                      says, r->last);
+        return refuse(why, STATUS_NUMERICAL, "--solver: not done after %g s (--timeout)%s", r->process->timeout,
+                      said);
     if (WIFSIGNALED(status))
-        return refuse(why, STATUS_NUMERICAL, "--solver: ended by signal %d%s%.160s", WTERMSIG(status), says, r->last);
+        return refuse(why, STATUS_NUMERICAL, "--solver: ended by signal %d%s", WTERMSIG(status), said);
     status = WEXITSTATUS(status);
-    if (status == SKIPPED)
-        return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)%s%.160s", says, r->last);
+    if (status == SKIPPED) return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)%s", said);
     if (status == 126 || status == 127)
-        return refuse(why, STATUS_INPUT, "--solver: the program could not be run (exit status %d)%s%.160s", status,
-                      says, r->last);
-    if (status) return refuse(why, STATUS_NUMERICAL, "--solver: exit status %d%s%.160s", status, says, r->last);
+        return refuse(why, STATUS_INPUT, "--solver: the program could not be run (exit status %d)%s", status, said);
+    if (status) return refuse(why, STATUS_NUMERICAL, "--solver: exit status %d%s", status, said);
     if (end == LEFT_OTHERS)
         return refuse(why, STATUS_NUMERICAL,
                       "--solver: ended before what it had started, so that its answer may be unfinished (end the "

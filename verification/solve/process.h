@@ -20,7 +20,7 @@ struct process {
 /* Returns when the program and its group have ended, by themselves or because of this call: after the timeout, at an
  * interrupt (the caller holds them: text/output.h), or as background processes left by the program.  STATUS_OK: exit
  * status 0.  STATUS_SKIPPED: 77, the program declines the case.  STATUS_INPUT: it could not be run. STATUS_NUMERICAL:
- * any other end. *why has the reason and the last line that it printed. */
+ * any other end. *why has the reason and the last lines that it printed. */
 int process_run(const struct process *p, struct failure *why);
 
 #endif

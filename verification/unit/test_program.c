@@ -122,11 +122,31 @@ static void a_program_ends_with_its_children_and_in_time(void **state) {
     int shown = dup(STDERR_FILENO), nowhere = open("/dev/null", O_WRONLY);
     assert_true(shown >= 0 && dup2(nowhere, STDERR_FILENO) >= 0);
     refused(RUN("--timeout 60", "printf \"%090000d\\n\" 1; echo so far; exit 3; {case} {out}"), STATUS_NUMERICAL,
-            "exit status 3; it said last: so far"); /* more than a pipe holds, 64 KiB */
+            "00 | so far"); /* more than a pipe holds, 64 KiB */
     dup2(shown, STDERR_FILENO);
     close(shown);
     close(nowhere);
 #undef RUN
+}
+
+/* How Rust, Python, Fortran and Java say why they ended. */
+static void the_reason_of_a_program_is_quoted(void **state) {
+    (void)state;
+#define FAILS(text)                                                                                                  \
+    "run rod-gauss mine --dx 1 --fourier 0.4 --solver 'printf \"1\n2\n3\n" text "\"; exit 1; {case} {out}'"
+    refused(FAILS("thread main panicked at a.rs:2:5:\nindex out of bounds\nnote: run with RUST_BACKTRACE\n"),
+            STATUS_NUMERICAL,
+            "it said last: thread main panicked at a.rs:2:5: | index out of bounds | note: run with ");
+    refused(FAILS("Traceback (most recent call last):\n  File a.py, line 7\n    f()\nValueError: T\n"),
+            STATUS_NUMERICAL, "it said last: 3 | Traceback (most recent call last): | ValueError: T");
+    refused(FAILS("At line 3 of file a.f90\nFortran runtime error: End of file\n\nError termination. Backtrace:\n"
+                  "#0  0x7f in f\n#1  0x7f in g\n"),
+            STATUS_NUMERICAL,
+            "At line 3 of file a.f90 | Fortran runtime error: End of file | Error termination. Backtr");
+    refused(
+        FAILS(" diverged\nException in thread main java.lang.Error: T\n\tat A.f(A.java:3)\n\tat A.main(A.java:9)\n"),
+        STATUS_NUMERICAL, "it said last: 3 | diverged | Exception in thread main java.lang.Error: T");
+#undef FAILS
 }
 
 static void scratch_files_are_removed(void **state) {
@@ -195,6 +215,7 @@ int main(void) {
         cmocka_unit_test(the_case_file_has_sides_materials_and_sources),
         cmocka_unit_test(an_answer_is_mapped_back_to_the_case),
         cmocka_unit_test(a_program_ends_with_its_children_and_in_time),
+        cmocka_unit_test(the_reason_of_a_program_is_quoted),
         cmocka_unit_test(scratch_files_are_removed),
         cmocka_unit_test(signals_end_the_program_and_remove_its_files),
     };
