@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 double field_clock(void) {
@@ -28,6 +29,18 @@ void field_alloc_lattice(struct field *f, int dim, const int shape[DIM_MAX], dou
         if (a < dim) f->x[a] = xcalloc((size_t)shape[a], sizeof **f->x);
     }
     f->T = T ? T : xcalloc(f->n, sizeof *f->T);
+}
+
+static double *copied(const double *from, size_t n) {
+    return from ? memcpy(xcalloc(n, sizeof *from), from, n * sizeof *from) : NULL;
+}
+
+struct field field_copy(const struct field *f) {
+    struct field out = *f;
+    for (int a = 0; a < f->dim; a++) out.x[a] = copied(f->x[a], f->shape[0] ? (size_t)f->shape[a] : f->n);
+    out.T = copied(f->T, f->n);
+    out.weight = copied(f->weight, f->n);
+    return out;
 }
 
 void field_free(struct field *f) {

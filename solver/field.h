@@ -45,6 +45,7 @@ double field_clock(void); /* s, from a monotonic clock */
  * if it is not NULL. */
 void field_alloc(struct field *f, int dim, size_t n);
 void field_alloc_lattice(struct field *f, int dim, const int shape[DIM_MAX], double *T);
+struct field field_copy(const struct field *f);
 void field_free(struct field *f);
 
 /* Position of point i, m, 0 past dim; returns x. */

@@ -34,6 +34,7 @@ extern const char *const kernel_words[], *const stepper_words[];
 extern const char *const layout_words[], *const sampling_words[], *const walls_words[], *const domain_words[];
 extern const char *const mean_words[], *const cross_words[], *const volume_words[];
 
+struct assembled;
 struct field;
 
 struct options {
@@ -59,12 +60,13 @@ struct options {
     enum mean mean;
     enum cross cross;
     enum volume volume;
-    enum domain domain; /* for scenes with mirror planes: compute only the necessary part, or all */
-    /* borrowed: solution of the same problem and options with another time step, whose relaxed particles are reused;
-     * NULL if there is none */
-    const struct field *placed;
-    int threads; /* maximum number of threads of a run; 0 or 1: one */
-    int lanes;   /* doubles per vector in the hot loops, 2, 4 or 8; 0: options_lanes_most() */
+    enum domain domain;          /* for scenes with mirror planes: compute only the necessary part, or all */
+    const struct field *placed;  /* borrowed: a field of the same layout and seed, whose relaxed particles are reused;
+                                    NULL for none */
+    struct assembled *assembled; /* borrowed: rows and start (particles.h) that runs of the same problem with other
+                                    time steps share; the first one fills it.  NULL: a run has its own. */
+    int threads;                 /* maximum number of threads of a run; 0 or 1: one */
+    int lanes;                   /* doubles per vector in the hot loops, 2, 4 or 8; 0: options_lanes_most() */
 };
 
 /* Doubles in the widest vector of this machine: 2, 4 or 8.  Results are the same for all widths, bit for bit. */

@@ -9,15 +9,22 @@
 #define PARTICLES_OPTIONS "stepper kernel h layout jitter sweeps seed sampling"
 #define PARTICLES_WALLS " shift angle walls"
 
+/* Rows, and the particles with their initial temperatures.  They depend on no time step: runs that differ in that
+ * alone share them by options.assembled. */
+struct assembled {
+    struct heat_operator rows; /* n is 0 until a run has filled it */
+    struct field start;
+};
+void particles_free_assembled(struct assembled *kept);
+
 /* `solve` of a method with a scheme: layout, sampling, operator, stepper, field. */
 int particles_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                     struct failure *why);
 
-/* Rate of the fastest growing mode of the method's rows, s^-1 (solver/time/growth.h), for a problem solved with
- * these options to *f.  NaN without rows: on a lattice of one material, without a scheme, or
- * with a k that depends on T. */
-int particles_growth(const struct method *m, const struct problem *p, const struct options *o, const struct field *f,
-                     double *rate, struct failure *why);
+/* Rate of the fastest growing mode of the method's rows, s^-1 (solver/time/growth.h), those of o->assembled if a run
+ * has filled it.  NaN without rows: on a lattice of one material, without a scheme, or with a k that depends on T. */
+int particles_growth(const struct method *m, const struct problem *p, const struct options *o, double *rate,
+                     struct failure *why);
 
 /* ---- Parts ---- */
 

@@ -83,6 +83,24 @@ static int lay_out(const struct problem *p, const struct options *o, const struc
     return STATUS_OK;
 }
 
+/* Positions, operator and initial data, taken from o->assembled if a run has filled it. */
+static int set_up(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                  int rows, struct heat_operator *a, struct field *f, struct failure *why) {
+    struct assembled *kept = rows ? o->assembled : NULL;
+    if (kept && kept->rows.n) {
+        *a = kept->rows, *f = field_copy(&kept->start);
+        return STATUS_OK;
+    }
+    if (lay_out(p, o, s, l, rows, a, f, why) || start_set(p, o, s, l, rows, a, f, why)) return why->status;
+    if (kept) kept->rows = *a, kept->start = field_copy(f);
+    return STATUS_OK;
+}
+
+void particles_free_assembled(struct assembled *kept) {
+    operator_free(&kept->rows);
+    field_free(&kept->start);
+}
+
 /* ---- Time steps ---- */
 
 /* 1 if the initial data differ from the temperature of a round Dirichlet wall by more than 1e-9 of their size. */
@@ -226,7 +244,7 @@ static int check_damping(const struct options *o, const struct heat_operator *a,
 
 static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
                      const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
-    f->cost.bytes = field_bytes(f) + a->bytes;
+    f->cost.bytes = field_bytes(f) + a->bytes + (o->assembled ? field_bytes(&o->assembled->start) : 0);
     struct march m;
     double bound = operator_bound(a);
     if (march_of(p, o, s, l, a, bound, &m, why)) return why->status;
@@ -259,9 +277,8 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
 
     struct field f = {0};
     struct heat_operator a = {0};
-    int status = lay_out(p, &o, m->scheme, &l, rows, &a, &f, why);
+    int status = set_up(p, &o, m->scheme, &l, rows, &a, &f, why);
     f.time = p->t_end;
-    if (!status) status = start_set(p, &o, m->scheme, &l, rows, &a, &f, why);
     if (!status) {
         double volume = layout_volume(&l), cell = layout_cell(&o, l.dx[0]);
         f.heat[0] = heat_content(p, &f, a.rho_c, cell, volume);
@@ -271,7 +288,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
         if (a.state > a.n) f.T = xcheck(realloc(f.T, f.n * sizeof *f.T), f.n, sizeof *f.T);
         f.heat[1] = heat_content(p, &f, a.rho_c, cell, volume);
     }
-    operator_free(&a);
+    if (!o.assembled || !o.assembled->rows.n) operator_free(&a);
     f.cost.seconds = field_clock() - begin;
     if (status)
         field_free(&f);
@@ -280,16 +297,20 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
     return status;
 }
 
-int particles_growth(const struct method *m, const struct problem *p, const struct options *given,
-                     const struct field *f, double *rate, struct failure *why) {
+int particles_growth(const struct method *m, const struct problem *p, const struct options *given, double *rate,
+                     struct failure *why) {
     struct options o, there = *given;
     struct lattice l;
     struct cloud c;
     struct heat_operator a;
     int rows = 0;
     *rate = NAN;
-    there.placed = there.layout == LAYOUT_RELAXED ? f : NULL;
     if (!m->scheme || problem_nonlinearity(p)) return STATUS_OK;
+    if (given->assembled && given->assembled->rows.n) {
+        const struct heat_operator *kept = &given->assembled->rows;
+        *rate = growth_rate(kept, operator_bound(kept), p->t_end);
+        return STATUS_OK;
+    }
     there.stepper = stepper_auto(1, 0, 0); /* the rows do not depend on it */
     if (particles_prepare(p, &there, m->scheme, &o, &l, &rows, why)) return why->status;
     if (!rows) return STATUS_OK;

@@ -87,17 +87,22 @@ struct result run_blank(const struct experiment *e) {
                            .growth = NAN};
 }
 
-static int solve(const struct experiment *e, struct result *out, struct field *f) {
+/* rows: shared by the runs of the search for a time step, and by the search for growing modes; the caller frees
+ * them. */
+static int solve(const struct experiment *e, struct assembled *rows, struct result *out, struct field *f) {
     *out = run_blank(e);
     *f = (struct field){0};
     struct experiment used = *e;
     struct time_step stepping;
+    *rows = (struct assembled){0};
+    used.options.assembled = rows;
     if (used.options.mean == MEAN_AUTO)
         used.options.mean = used.problem.k_law            ? MEAN_KIRCHHOFF
                             : used.problem.resistance > 0 ? MEAN_SERIES
                                                           : MEAN_HARMONIC;
     int status = (e->external ? run_program : time_step_solve)(&used, f, &stepping, &out->failure);
     out->options = used.options;
+    out->options.assembled = NULL;
     out->time_error = stepping.time_error;
     out->rounding = stepping.rounding;
     out->search_updates = stepping.updates;
@@ -107,10 +112,12 @@ static int solve(const struct experiment *e, struct result *out, struct field *f
 }
 
 /* Growth rate of the rows in use.  A run with a growing mode fails if its field has left the range of the data. */
-static int measure_growth(const struct experiment *e, const struct field *f, struct result *out) {
+static int measure_growth(const struct experiment *e, struct assembled *rows, const struct field *f,
+                          struct result *out) {
     if (!e->growth) return STATUS_OK;
-    if (particles_growth(e->method, &e->problem, &out->options, f, &out->growth, &out->failure))
-        return out->failure.status;
+    struct options with = out->options;
+    with.assembled = rows;
+    if (particles_growth(e->method, &e->problem, &with, &out->growth, &out->failure)) return out->failure.status;
     double lo = f->data[0], hi = f->data[1], slack = 1e-6 * (hi - lo);
     if (!result_grows(out) || (out->shape.min >= lo - slack && out->shape.max <= hi + slack)) return STATUS_OK;
     return refuse(&out->failure, STATUS_UNSTABLE,
@@ -121,11 +128,16 @@ static int measure_growth(const struct experiment *e, const struct field *f, str
 
 int run_experiment(const struct experiment *e, struct result *out, struct field *field) {
     struct field f;
-    if (solve(e, out, &f)) return out->failure.status;
+    struct assembled rows;
+    if (solve(e, &rows, out, &f)) {
+        particles_free_assembled(&rows);
+        return out->failure.status;
+    }
     double *exact = xcalloc(f.n, sizeof *exact);
     out->reference_error = norms_exact(e->scene, &e->problem, &f, exact);
     int status = measure(e, &f, exact, out);
-    if (!status) status = measure_growth(e, &f, out);
+    if (!status) status = measure_growth(e, &rows, &f, out);
+    particles_free_assembled(&rows);
     free(exact);
     if (field && !status)
         *field = f;
@@ -153,10 +165,13 @@ int run_program(struct experiment *e, struct field *f, struct time_step *step, s
 
 int run_against(const struct experiment *e, const double *reference, double error, struct result *out) {
     struct field f;
-    if (solve(e, out, &f)) return out->failure.status;
+    struct assembled rows;
+    int status = solve(e, &rows, out, &f);
+    particles_free_assembled(&rows);
+    if (status) return status;
     out->reference_error = error;
     double *own = memcpy(xcalloc(f.n, sizeof *own), reference, f.n * sizeof *own);
-    int status = measure(e, &f, own, out);
+    status = measure(e, &f, own, out);
     free(own);
     field_free(&f);
     return status;
@@ -169,7 +184,10 @@ int run_warm_up(const struct experiment *e, struct failure *why) {
     do {
         struct experiment again = *e;
         struct field field = {0};
+        struct assembled rows = {0};
+        again.options.assembled = &rows;
         status = (e->external ? run_program : time_step_solve)(&again, &field, &ignored, why);
+        particles_free_assembled(&rows);
         field_free(&field);
     } while (!status && omp_get_wtime() - start < 0.1);
     return status;

@@ -27,6 +27,7 @@
  *
  * Norms are those of E1. */
 #include "verification/judge/time_step.h"
+#include "solver/particles/particles.h"
 #include "solver/time/stepper.h"
 
 #include "references/scene.h"
@@ -61,7 +62,6 @@ static int try_steps(struct search *s, double steps, struct trial *t, struct fai
     struct options with = s->e->options;
     with.dt = s->e->problem.t_end / steps;
     with.fourier = 0;
-    if (s->coarse.field.n) with.placed = &s->coarse.field;
     t->steps = steps;
     int status = symmetry_solve(s->e->method, &s->e->problem, &with, &t->field, why);
     if (!status) s->updates += t->field.cost.updates;
@@ -338,13 +338,11 @@ int time_step_solve(struct experiment *e, struct field *f, struct time_step *ste
 static const double AGREE = 1e-9; /* relative to sum |T|: ten times the rounding error of the longest step */
 enum { STEPS_MAX = 256 };
 
-static int march(const struct experiment *e, long long steps, const struct field *placed, struct field *f,
-                 struct failure *why) {
+static int march(const struct experiment *e, long long steps, struct field *f, struct failure *why) {
     struct options with = e->options;
     with.stepper = stepper_without_error(0);
     with.dt = e->problem.t_end / (double)steps;
     with.fourier = 0;
-    if (placed) with.placed = placed;
     return symmetry_solve(e->method, &e->problem, &with, f, why);
 }
 
@@ -353,10 +351,10 @@ int semidiscrete_polynomials(const struct experiment *e, struct semidiscrete *s,
     int status = STATUS_UNSTABLE;
     *s = (struct semidiscrete){0};
     for (long long steps = 1; steps <= STEPS_MAX && status == STATUS_UNSTABLE; steps *= 2)
-        status = march(e, steps, NULL, &s->field, why);
+        status = march(e, steps, &s->field, why);
     if (status) return status;
     do {
-        if ((status = march(e, 2 * s->field.steps, &s->field, &finer, why))) break;
+        if ((status = march(e, 2 * s->field.steps, &finer, why))) break;
         s->error = field_distance(&finer, s->field.T, finer.T);
         s->updates += s->field.cost.updates;
         field_free(&s->field);
@@ -367,7 +365,9 @@ int semidiscrete_polynomials(const struct experiment *e, struct semidiscrete *s,
 }
 
 int semidiscrete_solve(const struct experiment *e, struct semidiscrete *s, struct failure *why) {
+    struct experiment own = *e;
     struct options exact = e->options;
+    struct assembled rows = {0};
     *s = (struct semidiscrete){0};
     if (!e->method->scheme)
         return refuse(why, STATUS_NOT_APPLICABLE,
@@ -377,7 +377,9 @@ int semidiscrete_solve(const struct experiment *e, struct semidiscrete *s, struc
     exact.dt = exact.fourier = 0;
     int status = method_solve(e->method, &e->problem, &exact, &s->field, why);
     if (status != STATUS_NOT_APPLICABLE) return status;
-    status = semidiscrete_polynomials(e, s, why);
+    own.options.assembled = &rows;
+    status = semidiscrete_polynomials(&own, s, why);
+    particles_free_assembled(&rows);
     if (status != STATUS_UNSTABLE) return status;
     struct failure unstable = *why;
     return refuse(why, status, "no semi-discrete reference: %.400s", unstable.text);

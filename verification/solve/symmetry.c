@@ -83,7 +83,9 @@ int symmetry_solve(const struct method *m, const struct problem *p, const struct
     int cut[DIM_MAX];
     int ordered = !m->scheme || p->dim == 1 || !particles_rows(p, o); /* else by cells: they have no mirror order */
     if (ordered && symmetry_reduce(p, o, &half, cut)) {
-        int status = method_solve(m, &half, o, f, why);
+        struct options apart = *o;
+        apart.assembled = NULL; /* rows of the whole */
+        int status = method_solve(m, &half, &apart, f, why);
         if (status == STATUS_OK) restore(f, p, cut);
         if (!status_refused(status)) return status; /* the part may be too short for the stencil */
     }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Places of particles and ghosts, and the ghosts' values on fields that the walls' images continue exactly. */
 
-#include "solver/method.h"
-#include "solver/space/layout.h"
+#include "solver/particles/particles.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
@@ -316,9 +315,39 @@ static void relaxed_particles_are_reused(void **state) {
     field_free(&taken);
 }
 
+/* Runs that share rows have the bits of runs with rows of their own, and so has the rate of growing modes. */
+static void rows_are_assembled_once(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = jittered(0.37), alone;
+    struct assembled kept = {0};
+    struct field first, shared, own;
+    struct failure why;
+    double rate[2];
+    o.stepper = STEPPER_RK2, o.fourier = 0.05, o.assembled = &kept;
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &first, &why), STATUS_OK);
+    const double *value = kept.rows.value;
+    assert_non_null(value);
+    o.fourier = 0.04, alone = o, alone.assembled = NULL;
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &shared, &why), STATUS_OK);
+    assert_ptr_equal(kept.rows.value, value);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &alone, &own, &why), STATUS_OK);
+    for (int a = 0; a < 2; a++) assert_memory_equal(shared.x[a], own.x[a], own.n * sizeof *own.T);
+    assert_memory_equal(shared.T, own.T, own.n * sizeof *own.T);
+    assert_true(own.T[17] != first.T[17]);
+    assert_int_equal(particles_growth(&method_so_ssph, &p, &o, &rate[0], &why), STATUS_OK);
+    assert_int_equal(particles_growth(&method_so_ssph, &p, &alone, &rate[1], &why), STATUS_OK);
+    assert_near(rate[0], rate[1], 0);
+    field_free(&first);
+    field_free(&shared);
+    field_free(&own);
+    particles_free_assembled(&kept);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_are_assembled_once),
         cmocka_unit_test(one_seed_gives_one_cloud_to_all_operators),
         cmocka_unit_test(ghosts_continue_the_field_beyond_walls),
         cmocka_unit_test(ghosts_hold_for_any_two_conductivities),
