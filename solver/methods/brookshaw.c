@@ -84,7 +84,7 @@ static int check(const struct problem *p, const struct options *o, struct failur
     (void)o;
     if (!problem_has_cross(p) || (!p->direction && p->side[X_LO] == PERIODIC)) return STATUS_OK;
     return refuse(why, STATUS_NOT_APPLICABLE,
-                  "brookshaw: a tensor in a periodic body where it is constant, and without an order; use so_ssph");
+                  "brookshaw: takes k_xy where it is constant and sides are periodic, without an order; use so_ssph");
 }
 
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],

@@ -181,6 +181,12 @@ static int is_firm(const struct hypothesis *list, int n, const struct hypothesis
     return (best->votes >= 3 || best->votes == known) && best->votes >= 2 && 2 * best->votes >= known;
 }
 
+/* Two votes, or that of the only row whose errors are known: it speaks for others if it leaves no part unexplained.
+ */
+static int is_heard(const struct hypothesis *h, int known, int failing) {
+    return h->votes >= 2 || (known == 1 && h->votes && (failing == 1 || h->voted >= FIT_SHARE));
+}
+
 /* The diagnosis of a hypothesis: its share is that of the rows which vote. */
 static struct diagnosis named(const struct hypothesis *h, const struct diagnosis *row, int failing) {
     struct diagnosis d = {.named = 1, .fault = h->fault, .size = h->size, .unit = h->unit, .share = NAN};
@@ -210,7 +216,7 @@ struct headline headline_choose(const struct diagnosis *found, int failing, head
         int best = 0;
         for (int i = 1; i < n; i++)
             if (is_better(&list[i], &list[best])) best = i;
-        if (list[best].score < least || (list[best].votes < 2 && !(known == 1 && list[best].votes))) break;
+        if (list[best].score < least || !is_heard(&list[best], known, failing)) break;
         struct diagnosis d = named(&list[best], found, failing);
         int scope = contradicts ? contradicts(&d, context) : 0;
         if (scope == 0 || (scope == 2 && !h.fault.named)) {

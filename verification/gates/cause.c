@@ -43,6 +43,23 @@ static int has_cross(const struct problem *p, double aspect) {
     return problem_has_cross(p);
 }
 
+/* A tensor in the plane, and T that varies beside the middle of a held side by a thousandth of what it does inside.
+ */
+static int has_cross_at_wall(const struct problem *p, double aspect) {
+    enum { N = 16 };
+    double inside = 0, beside = 0;
+    (void)aspect;
+    for (int s = 0; s < 4 && p->dim == 2 && problem_has_cross(p); s++)
+        for (int i = 0; i < N && p->side[s] == DIRICHLET; i++) {
+            double x[DIM_MAX] = {(p->lo[0] + p->hi[0]) / 2, (p->lo[1] + p->hi[1]) / 2, 0};
+            const double wall = (s % 2 ? p->hi : p->lo)[s / 2], away = fabs(x[s / 2] - wall) * (i + 1) / N;
+            x[s / 2] = wall + (s % 2 ? -away : away);
+            const double apart = fabs(p->initial(p, x) - p->wall(p, (enum side)s, x, 0));
+            inside = fmax(inside, apart), beside = fmax(beside, i == 0 ? apart : 0);
+        }
+    return beside > 1e-3 * inside;
+}
+
 static int has_two(const struct problem *p, double aspect) {
     (void)aspect;
     return p->materials == 2;
@@ -101,7 +118,8 @@ static const struct {
                 {has_robin, "", "have a Robin wall"},
                 {has_source, "", "have a source"},
                 {is_oblong, "", "have cells of two widths"},
-                {has_cross, "", "have k_xy"}};
+                {has_cross, "", "have k_xy"},
+                {has_cross_at_wall, "", "have k_xy beside held walls"}};
 enum { FEATURES = sizeof features / sizeof *features };
 
 struct row {
@@ -199,15 +217,26 @@ static int common_side(const struct diagnosis *found, int failing) {
     return -1;
 }
 
+/* "detects ..." of the first row that fails; NULL: it has no such text. */
+static const char *detected_alone(const struct rows *rows) {
+    int i = 0;
+    while (i < rows->n && !rows->row[i].fails) i++;
+    const char *why = i < rows->n ? rows->row[i].gate->why : NULL;
+    return why && strncmp(why, "detects ", 8) == 0 ? why : NULL;
+}
+
 static void print_shared(const struct rows *rows, const struct diagnosis *found, int failing, char *text,
                          size_t size) {
     static const char *const sides[] = {"x_lo", "x_hi", "y_lo", "y_hi", "z_lo", "z_hi"};
     int side = common_side(found, failing), what = telling(rows, 0, FEATURES, failing);
+    const char *alone = failing == 1 ? detected_alone(rows) : NULL;
     *text = '\0';
     if (side >= 0)
         snprintf(text, size,
                  "the errors of all rows that do not pass (%d) are beside side %s, in one layer of cells along %c",
                  failing, sides[side], "xyz"[side / 2]);
+    else if (alone)
+        snprintf(text, size, "one row alone does not pass: it %.*s", (int)strcspn(alone, ";"), alone);
     else if (what >= 0)
         snprintf(text, size, "all rows that do not pass (%d) %s%s", failing, features[what].all,
                  passing(rows, 1u << what, 1) ? "" : ", and no other row does");

@@ -19,7 +19,7 @@ static const struct row {
     {"rect-manufactured so_ssph --dx 0.1 --set rise=2 --shift 0.3",
      "so_ssph: walls or a source that change in time need one material"},
     {"wave schwaiger --dx 0.1 --set kappa_xy=0.004", "schwaiger: a diagonal conductivity only, the scene has k_xy"},
-    {"ring brookshaw --dx 0.1", "brookshaw: a tensor in a periodic body where it is constant"},
+    {"ring brookshaw --dx 0.1", "brookshaw: takes k_xy where it is constant and sides are periodic"},
     {"wave fo_ssph --dx 0.1 --set kappa_xy=0.004 --layout jitter",
      "--layout jitter: with k_xy derivatives applied twice are second order on a lattice alone; use lattice"},
     /* layouts */
@@ -61,7 +61,7 @@ static const struct row {
     {"rod-contact ftcs --dx 0.1 --sampling spline", "--sampling spline: takes one material; use point or cell"},
     {"rod-contact ftcs --dx 0.1 --layout node", "--layout node: takes one material; use lattice"},
     {"rod-contact ftcs --dx 0.1 --stepper matched", "--stepper matched: takes one material; use euler"},
-    {"wave ftcs_flux --dx 0.1 --set kappa_xy=0.004", "takes k_xy with one material in a box, without a source"},
+    {"wave ftcs_flux --dx 0.1 --set kappa_xy=0.004", "a diagonal conductivity only, the scene has k_xy"},
     {"wave ftcs --dx 0.1 --cross corner", "--cross corner: k_xy is 0 in this scene; omit it"},
     {"rod-cooling ftcs --dx 0.03 --layout node", "--layout node: a Robin wall is midway"},
     {"rod-cooling ftcs --dx 0.03 --stepper matched", "--stepper matched: the ghosts of a Robin wall"},

@@ -300,6 +300,26 @@ static void failing_gates_are_diagnosed(void **state) {
     assert_has(g.diagnosis, "k_x and k_y");
 }
 
+/* Without a fault that has a name: what the rows share, or what a row that is alone detects. */
+static void rows_without_a_name_say_what_they_share(void **state) {
+    (void)state;
+    static const char *const commands[] = {"run aligned mine --set angle=0.75 --dx 0.1", "run aligned mine --dx 0.1",
+                                           "run ring mine --dx 0.1", "run rod-gauss mine --dx 0.1"};
+    struct gate_result result[4] = {0};
+    struct gates g = {.declared = 4, .executed = 4, .result = result};
+    for (int i = 0; i < 4; i++) {
+        result[i].gate =
+            (struct gate){.measure = "leak", .command = commands[i], .why = "detects a face lost; bounds: 2"};
+        result[i].measured.verdict = i < 2 ? VERDICT_FAIL : VERDICT_PASS;
+    }
+    gates_diagnose(&g);
+    assert_string_equal(g.diagnosis,
+                        "all rows that do not pass (2) have k_xy beside held walls, and no other row does");
+    result[1].measured.verdict = VERDICT_PASS;
+    gates_diagnose(&g);
+    assert_string_equal(g.diagnosis, "one row alone does not pass: it detects a face lost");
+}
+
 /* A row without an answer, as one that is not a number, does not speak against overflow; another answer does. */
 static void overflow_is_firm_where_no_row_has_another_answer(void **state) {
     (void)state;
@@ -335,6 +355,7 @@ int main(void) {
         cmocka_unit_test(junit_lists_every_verdict),
         cmocka_unit_test(junit_has_groups_and_interrupts),
         cmocka_unit_test(failing_gates_are_diagnosed),
+        cmocka_unit_test(rows_without_a_name_say_what_they_share),
         cmocka_unit_test(overflow_is_firm_where_no_row_has_another_answer),
     };
     return cmocka_run_group_tests_name("gates", tests, NULL, NULL);

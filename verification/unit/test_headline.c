@@ -190,6 +190,23 @@ static void a_part_of_all_errors_is_not_firm(void **state) {
     for (int i = 0; i < 2; i++) free(found[i].evidence);
 }
 
+/* The only row with fits speaks for one without if the fault explains nine tenths of its error. */
+static void a_row_alone_speaks_for_others_if_it_is_sure(void **state) {
+    (void)state;
+    struct diagnosis found[2] = {shown("rect-manufactured", (struct fault){FAULT_WALL, X_LO}, 0.1, 0.05),
+                                 {.unit = ""}};
+    found[0].named = 0; /* as where no size follows the spacing */
+    for (int part = 0; part < 2; part++) {
+        for (int k = 0; k < found[0].evidence->n && part; k++)
+            for (int r = 0; r < 2; r++)
+                found[0].evidence->fit[k].rung[r].product[0][0] *= 1.18,
+                    found[0].evidence->fit[k].rung[r].share /= 1.18;
+        assert_true(headline_choose(found, 1, NULL, NULL).fault.named);
+        assert_int_equal(headline_choose(found, 2, NULL, NULL).fault.named, !part);
+    }
+    free(found[0].evidence);
+}
+
 /* Rows without fits vote by name; rows that pass refute the winner, or confine it to a class. */
 static void rows_that_pass_decide(void **state) {
     (void)state;
@@ -246,6 +263,7 @@ int main(void) {
         cmocka_unit_test(a_step_too_few_explains_walls_that_are_early),
         cmocka_unit_test(a_source_that_keeps_its_first_value_is_not_of_another_time),
         cmocka_unit_test(a_part_of_all_errors_is_not_firm),
+        cmocka_unit_test(a_row_alone_speaks_for_others_if_it_is_sure),
         cmocka_unit_test(effects_above_a_ceiling_contradict),
     };
     return cmocka_run_group_tests_name("headline", tests, NULL, NULL);
