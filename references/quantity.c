@@ -22,6 +22,7 @@
 static const char *const plane_flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo",
                                          "flux_y_hi", "flux_z_lo", "flux_z_hi"};
 static const char *const round_flux[] = {"flux_r_lo", "flux_r_hi"};
+static const char *const front_names[FRONT_SECTORS] = {"front", "front_axes", "front_diagonals"};
 /* By dimension. */
 static const char *const point_form[] = {"", "X", "X,Y", "X,Y,Z"};
 static const char *const point_like[] = {"", "at:0.1", "at:0.1,0.2", "at:0.1,0.2,0.3"};
@@ -45,12 +46,20 @@ static int read_place(const char *text, const struct problem *p, struct quantity
     return STATUS_OK;
 }
 
+/* Number of front_names that *p has: one of phases or of k = k_0 T^n on a rod, with sectors in the plane and in
+ * space. */
+static int fronts(const struct problem *p) {
+    if (p->k_law == K_POWER && (p->kinked[0] || p->breaks_on_curves)) return p->dim == 1 ? 1 : FRONT_SECTORS;
+    return p->k_law == K_PHASES;
+}
+
 int quantity_read(const char *text, const struct problem *p, struct quantity *q, struct failure *why) {
     const char *const *flux = p->shape ? round_flux : plane_flux;
     *q = (struct quantity){.kind = QUANTITY_HEAT};
     if (strncmp(text, "at:", 3) == 0) return read_place(text, p, q, why);
-    if (p->k_law == K_PHASES && strcmp(text, "front") == 0) {
-        q->kind = QUANTITY_FRONT;
+    for (int at = 0; at < fronts(p); at++) {
+        if (strcmp(text, front_names[at]) != 0) continue;
+        *q = (struct quantity){.kind = QUANTITY_FRONT, .sector = (enum front_sector)at};
         return STATUS_OK;
     }
     if (strcmp(text, "heat") == 0 && p->k_law == K_PHASES)
@@ -61,10 +70,10 @@ int quantity_read(const char *text, const struct problem *p, struct quantity *q,
         *q = (struct quantity){.kind = QUANTITY_FLUX, .side = (enum side)s};
         return STATUS_OK;
     }
-    char valid[100] = "";
+    char valid[200] = "";
     for (int s = 0; s < 2 * p->dim; s++)
         if (shape_has_wall(p, s)) strcat(strcat(valid, flux[s]), ", ");
-    if (p->k_law == K_PHASES) strcat(valid, "front, ");
+    for (int at = 0; at < fronts(p); at++) strcat(strcat(valid, front_names[at]), ", ");
     return refuse(why, STATUS_INPUT, "unknown quantity '%.60s' (valid: %sheat, at:%s)", text, valid,
                   point_form[p->dim]);
 }
@@ -226,18 +235,18 @@ static struct quantity_value flux(struct field_at *f) {
     return integral(flux_density, f, p->dim - 1, lo, hi, size, &knots);
 }
 
-/* By bisection: T is monotone between the ends of a rod that a wall melts. */
+/* By bisection along x: T is monotone between the ends of a rod that a wall melts, and behind a front of k_0 T^n. */
 static struct quantity_value front(const struct field_at *f) {
     const struct problem *p = f->now.problem;
-    double lo = p->lo[0], hi = p->hi[0];
-    const int melted = snapshot_at(&f->now, p->lo).temperature > p->k_ref;
+    double lo[DIM_MAX] = {p->lo[0]}, hi[DIM_MAX] = {p->hi[0]};
+    const int hot = snapshot_at(&f->now, lo).temperature > p->k_ref;
     for (;;) {
-        double middle = lo + (hi - lo) / 2;
-        if (middle == lo || middle == hi) break;
-        *((snapshot_at(&f->now, &middle).temperature > p->k_ref) == melted ? &lo : &hi) = middle;
+        double middle[DIM_MAX] = {lo[0] + (hi[0] - lo[0]) / 2};
+        if (middle[0] == lo[0] || middle[0] == hi[0]) break;
+        ((snapshot_at(&f->now, middle).temperature > p->k_ref) == hot ? lo : hi)[0] = middle[0];
     }
-    struct exact e = snapshot_at(&f->now, &lo);
-    return (struct quantity_value){lo, hi - lo + e.error_bound / fabs(e.gradient[0]), 0};
+    struct exact e = snapshot_at(&f->now, lo);
+    return (struct quantity_value){lo[0], hi[0] - lo[0] + e.error_bound / fabs(e.gradient[0]), 0};
 }
 
 struct quantity_value quantity_exact(const struct quantity *q, const struct scene *s, const struct problem *p,

@@ -9,10 +9,14 @@
 
 enum quantity_kind { QUANTITY_FLUX, QUANTITY_HEAT, QUANTITY_AT, QUANTITY_FRONT };
 
+/* Directions in which a front is looked for: all, or within 22.5 degrees of an axis or of a diagonal of the body. */
+enum front_sector { FRONT_ALL, FRONT_AXES, FRONT_DIAGONALS, FRONT_SECTORS };
+
 struct quantity {
     enum quantity_kind kind;
-    enum side side;     /* for QUANTITY_FLUX */
-    double at[DIM_MAX]; /* m, for QUANTITY_AT */
+    enum side side;           /* for QUANTITY_FLUX */
+    double at[DIM_MAX];       /* m, for QUANTITY_AT */
+    enum front_sector sector; /* for QUANTITY_FRONT */
 };
 
 struct quantity_value {
@@ -27,7 +31,8 @@ struct quantity_value {
  *   flux_r_lo, flux_r_hi                            the same through the inner or outer wall of a round body
  *   heat                                            rho_c T integrated over the body, J m^(dim-3)
  *   at:X, at:X,Y or at:X,Y,Z                        temperature at a point, K
- *   front                                           place on a rod at the melting point of phases, m
+ *   front                                           place at the melting point of phases, or where k_0 T^n is 0, m
+ *   front_axes, front_diagonals                     the latter along the axes or diagonals of a plane or in space
  * A flux is k dT/dn at the end of a rod, W m^-2, or its integral over the side, W m^(dim-3).  Returns STATUS_OK or
  * STATUS_INPUT. */
 int quantity_read(const char *text, const struct problem *p, struct quantity *q, struct failure *why);

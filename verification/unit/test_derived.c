@@ -121,6 +121,45 @@ static void a_wall_of_two_layers_has_the_conductivity_at_it(void **state) {
     field_free(&f);
 }
 
+/* T^n on a cloud is a straight line in r^2 in a plane, with another r_f along the diagonals, and in x behind a wall.
+ */
+static void a_front_is_the_root_of_a_line(void **state) {
+    (void)state;
+    const struct problem plane = {.dim = 2,
+                                  .hi = {1, 1},
+                                  .k_law = K_POWER,
+                                  .k_n = 2.7,
+                                  .k_ref = -0.3,
+                                  .side = {NEUMANN, NEUMANN, NEUMANN, NEUMANN}};
+    const struct problem rod = {.dim = 1, .hi = {1}, .k_law = K_POWER, .k_n = 3, .k_ref = 0.2};
+    const double want[] = {0.71, 0.83};
+    struct field f, line;
+    struct failure why;
+    double value;
+    field_alloc(&f, 2, 900);
+    field_alloc(&line, 1, 30);
+    for (size_t k = 0; k < f.n; k++) {
+        const double x = f.x[0][k] = ((double)(k % 30) + 0.5 + 0.3 * sin(7.0 * (double)k)) / 30;
+        const double y = f.x[1][k] = ((double)(k / 30) + 0.5 + 0.3 * cos(5.0 * (double)k)) / 30;
+        const int diagonal = fabs(atan2(y, x) - M_PI / 4) < M_PI / 8;
+        f.T[k] = -0.3 + 1.9 * pow(fmax(0, 1 - (x * x + y * y) / pow(want[diagonal], 2)), 1 / 2.7);
+    }
+    for (size_t k = 0; k < line.n; k++)
+        line.x[0][k] = ((double)k + 0.5) / 30, line.T[k] = 0.2 + cbrt(fmax(0, 0.6180 - line.x[0][k]));
+    for (int sector = FRONT_AXES; sector <= FRONT_DIAGONALS; sector++) {
+        const struct quantity q = {.kind = QUANTITY_FRONT, .sector = (enum front_sector)sector};
+        if (derived_value(&q, &plane, &f, 1.0 / 30, &value, &why)) fail_msg("%s", why.text);
+        assert_near(value, want[sector == FRONT_DIAGONALS], 1e-12);
+    }
+    const struct quantity all = {.kind = QUANTITY_FRONT};
+    if (derived_value(&all, &rod, &line, 1.0 / 30, &value, &why)) fail_msg("%s", why.text);
+    assert_near(value, 0.6180, 1e-12);
+    for (size_t k = 0; k < line.n; k++) line.T[k] = 0.2;
+    assert_int_equal(derived_value(&all, &rod, &line, 1.0 / 30, &value, &why), STATUS_NUMERICAL);
+    field_free(&f);
+    field_free(&line);
+}
+
 static void climb(const char *line, struct ladder *l, int wanted, const char *because) {
     struct command r;
     struct failure why = {0};
@@ -155,6 +194,7 @@ int main(void) {
         cmocka_unit_test(heat_by_many_panels),
         cmocka_unit_test(flux_by_many_panels),
         cmocka_unit_test(a_wall_of_two_layers_has_the_conductivity_at_it),
+        cmocka_unit_test(a_front_is_the_root_of_a_line),
         cmocka_unit_test(derived_quantities_have_ladders),
         cmocka_unit_test(undefined_quantities_are_refused),
     };

@@ -89,6 +89,36 @@ static void front_is_at_the_melting_point(void **state) {
     assert_near(2 * half * half, start.value * start.value + end.value * end.value, 1e-13);
 }
 
+/* A scene at its odd parameters, with the front in the body: its parameter `at` is `place`. */
+static const struct scene *with_front(const char *name, int at, double place, struct problem *p) {
+    static struct scene within;
+    within = *scene_find(name);
+    within.odd.param[at] = place;
+    odd_setup(&within, p);
+    return &within;
+}
+
+/* T is 0 beyond it and not before it; r_f^(n d + 2) of a blast is linear in time, x of a front that a wall drives. */
+static void front_is_where_conduction_ends(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct problem p;
+        const struct scene *s = i == 0 ? with_front("blast", 2, 0.37, &p) : with_front("front", 1, 0.37, &p);
+        const double power = i == 0 ? p.k_n * p.dim + 2 : 1;
+        double at[3];
+        for (int k = 0; k < 3; k++) {
+            const struct quantity_value v = of("front", s, &p, k * p.t_end / 2);
+            double x[DIM_MAX] = {v.value};
+            assert_order(v.error_bound, <, 1e-13);
+            assert_true(scene_exact(s, &p, x, k * p.t_end / 2).temperature > 0);
+            x[0] += 1e-12;
+            assert_near(scene_exact(s, &p, x, k * p.t_end / 2).temperature, 0, 0);
+            at[k] = pow(v.value, power);
+        }
+        assert_near(2 * at[1], at[0] + at[2], 1e-11);
+    }
+}
+
 static void heat_bound_covers_narrow_features(void **state) {
     (void)state;
     for (const struct scene *const *s = scenes; *s; s++) {
@@ -236,6 +266,12 @@ static void words_are_checked(void **state) {
     assert_near(q.at[1], 0.02, 0);
     assert_int_equal(quantity_read("at:0.1", &p, &q, &why), STATUS_INPUT);
     assert_has(why.text, "needs X,Y, such as at:0.1,0.2");
+    assert_int_equal(quantity_read("front", &p, &q, &why), STATUS_INPUT); /* no front here */
+    with_front("blast", 2, 0.37, &p);
+    assert_int_equal(quantity_read("front_diagonals", &p, &q, &why), STATUS_OK);
+    assert_true(q.kind == QUANTITY_FRONT && q.sector == FRONT_DIAGONALS);
+    odd_find("blast", &p); /* the body is behind the front */
+    assert_int_equal(quantity_read("front", &p, &q, &why), STATUS_INPUT);
 }
 
 int main(void) {
@@ -243,6 +279,7 @@ int main(void) {
         cmocka_unit_test(insulated_bodies_keep_their_heat),
         cmocka_unit_test(known_values),
         cmocka_unit_test(front_is_at_the_melting_point),
+        cmocka_unit_test(front_is_where_conduction_ends),
         cmocka_unit_test(heat_bound_covers_narrow_features),
         cmocka_unit_test(plate_heat_equals_its_series),
         cmocka_unit_test(an_infinite_value_is_no_value),

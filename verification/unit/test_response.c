@@ -8,6 +8,7 @@
 #include "solver/status.h"
 #include "verification/fault/diagnosis.h"
 #include "verification/fault/fit.h"
+#include "verification/fault/melting.h"
 
 #include "verification/unit/near.h"
 
@@ -243,6 +244,85 @@ static void materials_that_meet_across_y_differ(void **state) {
     field_free(&f);
 }
 
+/* W m^-2 */
+static const double HEATING = 0.022;
+
+static double heated(const struct problem *p, enum side s, const double *x, double t) {
+    (void)p, (void)x, (void)t;
+    return s == X_LO ? HEATING : 0;
+}
+
+static double cold(const struct problem *p, const double *x) {
+    (void)p, (void)x;
+    return -0.1;
+}
+
+/* One cell or two of 0.2 m, solid and 0.4 K below the melting point, take `heat`, J m^-3 of one cell. */
+static struct field melted(int cells, double heat, struct fault fault, double size) {
+    const struct problem p = {.dim = 1,
+                              .hi = {0.2 * cells},
+                              .t_end = heat * 0.2 / HEATING,
+                              .materials = 1,
+                              .material = {{{0.022}, 0.9}},
+                              .side = {NEUMANN, NEUMANN},
+                              .k_law = K_PHASES,
+                              .k_ref = 0.3,
+                              .phase_k = {0.022, 0.012},
+                              .phase_rho_c = {0.9, 1.4},
+                              .latent = 1.5,
+                              .initial = cold,
+                              .wall = heated};
+    struct faulty with;
+    struct field f;
+    assert_true(faulty_make(&p, fault, size, &with));
+    melting_solve(&with, 0.2, &f);
+    return f;
+}
+
+/* One cell takes what enters: H is heat - 0.36 J m^-3 from the solid at the melting point, and T follows from H. */
+static void a_cell_that_melts_has_the_temperature_of_its_heat(void **state) {
+    (void)state;
+    static const struct {
+        struct fault fault;
+        double size, heat, T;
+    } row[] = {
+        {{FAULT_FRONT, AT_FRONT_LOCKED}, 1, 0.96, 0.3}, /* with no other cell: as without a fault */
+        {{FAULT_FRONT, AT_FRONT_LOCKED}, 1, 2.46, 0.3 + 0.6 / 1.4},
+        {{FAULT_FRONT, AT_FRONT_LOST}, 1, 0.96, 0.3 + 0.6 / 1.4},
+        {{FAULT_FRONT, AT_FRONT_KEPT}, 1, 2.46, 0.3},
+        {{FAULT_FRONT, AT_FRONT_LOOSE}, 1, 0.96, 0.3 + 0.6 / 0.9},
+        {{FAULT_LATENT, 0}, -0.8, 0.96, 0.3 + 0.3 / 1.4},
+        {{FAULT_RANGE, 0}, 0.2, 0.96, 0.3 + 0.2 * 0.6 / (1.5 + 1.4 * 0.2)},
+        {{FAULT_RANGE, 1}, 0.2, 0.96, 0.2 + 0.2 * (0.6 + 0.09) / (1.5 + 0.09 + 0.14)},
+        {{FAULT_RANGE, 2}, 0.2, 0.96, 0.1 + 0.2 * (0.6 + 0.18) / (1.5 + 0.18)},
+        {{FAULT_MELTING_POINT, 0}, 0.1, 0.9, 0.4},                                 /* H is 0.45 */
+        {{FAULT_PHASES, PHASES_RHO_C + PHASES_SWAPPED}, 1, 2.66, 0.3 + 0.6 / 0.9}, /* H is heat - 0.56 */
+        {{FAULT_PHASE_PART, 3}, 0.25, 2.46, 0.3 + 0.6 / 1.75},
+        {{FAULT_PHASE_PART, 2}, -0.5, 0.09, 0.3 - 0.09 / 0.45}, /* H is -0.09 */
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        struct field f = melted(1, row[i].heat, row[i].fault, row[i].size);
+        print_message("%zu: %g K\n", i, f.T[0]);
+        assert_near(f.T[0], row[i].T, 1e-12);
+        field_free(&f);
+    }
+}
+
+/* Two cells warm up q dx/(2 k) = 0.1 K apart, by 0.03 K a step of F = 0.3. The first is at the melting point after
+ * 6.5 s; at 17 s the other is at it too, to 0.1 K 0.7^20 = 8e-5 K, unless no heat passes the first. */
+static void a_cell_at_the_melting_point_passes_heat_unless_locked(void **state) {
+    (void)state;
+    struct field held = melted(2, 1.87, (struct fault){FAULT_LATENT, 0}, 0);
+    struct field locked = melted(2, 1.87, (struct fault){FAULT_FRONT, AT_FRONT_LOCKED}, 1);
+    print_message("%g and %g K, %g and %g K\n", held.T[0], held.T[1], locked.T[0], locked.T[1]);
+    assert_near(held.T[0], 0.3, 0);
+    assert_near(held.T[1], 0.3, 1e-3);
+    assert_near(locked.T[0], 0.3, 0);
+    assert_near(locked.T[1], 0.2 + 0.015, 0.016);
+    field_free(&held);
+    field_free(&locked);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -252,6 +332,8 @@ int main(void) {
         cmocka_unit_test(faces_lie_on_jumps_and_interfaces),
         cmocka_unit_test(errors_are_seen_at_the_spacing_of_the_rung),
         cmocka_unit_test(materials_that_meet_across_y_differ),
+        cmocka_unit_test(a_cell_that_melts_has_the_temperature_of_its_heat),
+        cmocka_unit_test(a_cell_at_the_melting_point_passes_heat_unless_locked),
     };
     return cmocka_run_group_tests_name("response", tests, NULL, NULL);
 }
