@@ -5,6 +5,7 @@
 #include "references/scene.h"
 #include "solver/field.h"
 #include "solver/status.h"
+#include "verification/fault/fit.h"
 #include "verification/fault/wording.h"
 #include "verification/solve/program.h"
 #include "verification/judge/ladder.h"
@@ -16,21 +17,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Determines whether the program's numbers are point values or cell means (diagnosis_mean), from its answer at dx
- * and a time so early that one step too many or too few is a hundredth of the difference between a mean and a
- * value. */
-static double mean_of_start(const struct experiment *e, double dx) {
-    static const double EARLY = 1e-4; /* in units of dx^2/kappa; the mean differs by 1/24 */
+/* The difference of the program's answer at dx and a time `early`, in units of dx^2/kappa, from point values of that
+ * time, in units of dx^2/24 laplace(T) (diagnosis_mean). */
+static double start_at(const struct experiment *e, double dx, double early) {
     struct experiment start = *e;
     struct result result;
     struct failure ignored;
     struct field f = {0};
     int i = 0;
-    if (!e->program.solver) return NAN;
     start.options.dx = dx;
     start.program.keep = NULL;
     while (strcmp(e->scene->params[i].name, "t_end") != 0) i++;
-    start.problem.param[i] = EARLY * dx * dx / problem_diffusivity(&e->problem);
+    start.problem.param[i] = early * dx * dx / problem_diffusivity(&e->problem);
     if (e->scene->setup(&start.problem, &ignored) || run_experiment(&start, &result, &f)) return NAN;
     double *exact = xcalloc(f.n, sizeof *exact);
     norms_exact(e->scene, &start.problem, &f, exact);
@@ -40,13 +38,27 @@ static double mean_of_start(const struct experiment *e, double dx) {
     return mean;
 }
 
+/* Determines whether the program's numbers are point values or cell means, from its answer at a time so early that
+ * one step too many or too few is a hundredth of the difference between a mean and a value.  No such numbers differ
+ * from values by more than 2 units.  A program of steps of F dx^2/kappa that ends after the first one past t_end is
+ * off by 24 F units.  With a later t_end it makes the same step, and is off by 24 (LATER - EARLY) units less; any
+ * other difference stays.  *step is then F, which the unknown mean leaves uncertain by 1/12; otherwise 0. */
+static double mean_of_start(const struct experiment *e, double dx, double *step) {
+    static const double EARLY = 1e-4, LATER = 0.02, MOST = 1.1 * FIT_MOST;
+    *step = 0;
+    double mean = e->program.solver ? start_at(e, dx, EARLY) : NAN;
+    if (!(fabs(mean) > MOST)) return mean;
+    if (mean > 0 && mean - start_at(e, dx, LATER) > 12 * (LATER - EARLY)) *step = mean / 24;
+    return NAN;
+}
+
 /* The case given to the program, in its axes and temperatures.  If two materials meet across y, no solver here can
  * compute the response, and the scene itself is used. */
 static void find_fault(const struct experiment *e, const struct ladder *l, struct diagnosis *d) {
     struct diagnosis_rung rung[2];
     struct field given[2] = {{0}, {0}};
     struct image image;
-    double *exact[2], mean = mean_of_start(e, l->x[l->n - 2]);
+    double *exact[2], step, mean = mean_of_start(e, l->x[l->n - 2], &step);
     mapping_image(&e->program.map, &e->problem, &image);
     int mapped = e->problem.materials == 1 || image.interface_axis == 0;
     for (int k = 0; k < 2; k++) {
@@ -60,6 +72,7 @@ static void find_fault(const struct experiment *e, const struct ladder *l, struc
     }
     if (!diagnosis_unstable(&rung[0], d) && !diagnosis_unstable(&rung[1], d))
         diagnosis_find(mapped ? &image.problem : &e->problem, &rung[0], &rung[1], d);
+    if (step > 0) diagnosis_whole_steps(step, d);
     if (!mapped && d->named && d->fault.kind == FAULT_OFFSET) {
         d->size *= mapping_scale(&e->program.map); /* in the temperatures of the case */
         wording_fault(d);

@@ -125,6 +125,14 @@ void diagnosis_choose(const struct evidence *found, struct diagnosis *d) {
         snprintf(d->what, sizeof d->what, "no usual fault explains more than a correct code's own part of the error");
 }
 
+void diagnosis_whole_steps(double step, struct diagnosis *d) {
+    double share = fit_late(d->evidence, step);
+    if (share < FIT_SHARE) return;
+    free(d->evidence);
+    *d = (struct diagnosis){.named = 1, .fault = {FAULT_WHOLE_STEPS, 0}, .size = 1, .unit = "", .share = share};
+    wording_fault(d);
+}
+
 /* The sides next to which, in one layer of cells, seven tenths of the squared error are. */
 static unsigned beside(const struct problem *p, const struct diagnosis_rung *r) {
     static const double MOST = 0.7, LAYER = 1.01; /* cells; a node beside a held wall is one away */

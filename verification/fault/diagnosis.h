@@ -52,6 +52,10 @@ void diagnosis_choose(const struct evidence *found, struct diagnosis *d);
 /* The fault of *c with that size in a unit of fit_unit_names. */
 struct diagnosis diagnosis_of(const struct fault_fit *c, const char *unit, double size);
 
+/* Names whole steps of about `step` dx^2/kappa of a program that is known to make one where t_end is much shorter, if
+ * an end that is late by at most one explains the errors of both rungs. */
+void diagnosis_whole_steps(double step, struct diagnosis *d);
+
 /* Names data that are taken a part of a step late or early, from the difference of two answers on one grid: `apart`,
  * K, at the points of *f, whose steps differ by dt, s, the one with longer steps less the other. */
 void diagnosis_steps(const struct problem *p, const struct field *f, const double *apart, double dt,

@@ -214,6 +214,23 @@ static void find_unit(const struct problem *p, struct fault_fit *c, const struct
     if (c->fault.kind == FAULT_MEAN && !(found > LEAST_MEAN && found < 1 + FIT_STEADY)) c->drift = INFINITY;
 }
 
+/* A fit takes numbers for halfway between values and means, from which they differ by up to 5/2 dx^2/24 laplace(T), a
+ * clock of 5/48 dx^2/kappa.  The coarse rung may be late by no more than a correct code's own error. */
+double fit_late(const struct evidence *e, double step) {
+    static const double UNSURE = 5.0 / 48;
+    for (int i = 0; e && i < e->n; i++) {
+        const struct fault_fit *c = &e->fit[i];
+        if (c->fault.kind != FAULT_CLOCK) continue;
+        for (int k = 0; k < 2; k++) {
+            const double late = c->rung[k].size / c->diffusive[k];
+            if (c->rung[k].share < FIT_SHARE && (k == 0 || c->rung[k].part >= FIT_MOST)) return 0;
+            if (late < -UNSURE || late > step + UNSURE) return 0;
+        }
+        return c->rung[0].share;
+    }
+    return 0;
+}
+
 /* ---- All faults at two rungs ---- */
 
 enum { POINTS = 20000 };

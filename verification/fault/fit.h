@@ -71,6 +71,10 @@ struct evidence {
 /* Fits all faults to two rungs, the fine one first; the caller frees the result.  NULL: no lattice fits. */
 struct evidence *fit_all(const struct problem *p, const struct diagnosis_rung *rung);
 
+/* The share of the errors that an end which is late by up to `step`, in units of dx^2/kappa, by another part of it at
+ * each rung, explains; 0: none does.  NULL explains nothing. */
+double fit_late(const struct evidence *e, double step);
+
 /* Names of the units of a kind, ended by NULL. */
 const char *const *fit_unit_names(enum fault_kind kind);
 

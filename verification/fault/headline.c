@@ -73,8 +73,10 @@ static const struct fault_fit *best_fit(const struct evidence *e, const struct h
 }
 
 static double share_of(const struct diagnosis *row, const struct hypothesis *h) {
+    static const double LONGEST = 0.5; /* dx^2/kappa: the longest stable step of Euler in a rod */
     double share = 0;
     if (names(row, h) && (!is_made(h->fault.kind) || !row->evidence)) return 1;
+    if (h->fault.kind == FAULT_WHOLE_STEPS) return fit_late(row->evidence, LONGEST);
     best_fit(row->evidence, h, 0, &share);
     return share;
 }
@@ -178,7 +180,8 @@ static int is_firm(const struct hypothesis *list, int n, const struct hypothesis
     double apart = best->votes >= MOST_ROWS * known ? NOISE : 5 * NOISE;
     for (int i = 0; i < n; i++)
         if (list[i].fault.kind != best->fault.kind && list[i].score > best->score - apart) return 0;
-    return (best->votes >= 3 || best->votes == known) && best->votes >= 2 && 2 * best->votes >= known;
+    const int shown = best->fault.kind == FAULT_WHOLE_STEPS; /* by a run of its own */
+    return (best->votes >= 3 || best->votes == known) && (best->votes >= 2 || shown) && 2 * best->votes >= known;
 }
 
 /* Two votes, or that of the only row whose errors are known: it speaks for others if it leaves no part unexplained.

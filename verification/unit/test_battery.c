@@ -154,19 +154,21 @@ static void bounds_follow_the_draw(void **state) {
 }
 
 /* Diagnoses from a single field: differences between two runs, for the row and for any ladder; few digits, in a
- * steady state; a conductivity to 5 % of it if the initial answer identifies cell means. */
+ * steady state; a conductivity to 5 % of it if the initial answer identifies cell means; a whole step past the end if
+ * that answer has one. */
 static void faults_hidden_in_one_field_are_diagnosed(void **state) {
     (void)state;
-    static const char *const code[] = {"race", "single", "conductivity"},
-                             *const rows[] = {"whole/repeat", "contact/steady", "smooth/clock"},
-                             *const says[] = {"from run to run", "rounded to 7 digits", "conductivity were 1.0"};
+    static const char *const code[] = {"race", "single", "conductivity", "last-step"},
+                             *const rows[] = {"whole/repeat", "contact/steady", "smooth/clock", "smooth/clock"},
+                             *const says[] = {"from run to run", "rounded to 7 digits", "conductivity were 1.0",
+                                              "stopped late, after the first whole step past t_end"};
     struct program program = {.label = "mine"};
     struct command r;
     struct failure why = {0};
     struct ladder *l = xcalloc(1, sizeof *l);
     struct diagnosis d;
     char line[400], command[300];
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         snprintf(command, sizeof command, "%s --solve cell mean 0.25 %s {case} {out}", self, code[k]);
         program.solver = command;
         struct gates g = battery_rows(2, rows[k]);
