@@ -448,6 +448,14 @@ static void field(struct faulty *f) {
     if (f->fault.at == FIELD_ALL) q->k_perp = par;
 }
 
+static void turn(struct faulty *f) {
+    f->turn = f->size * M_PI / 2;
+}
+
+static void k_par(struct faulty *f) {
+    f->problem.k_par *= 1 + f->size;
+}
+
 static void swap(struct faulty *f) {
     double *k = f->problem.material[0].k;
     const double *right = f->right->material[0].k;

@@ -134,6 +134,8 @@ static void direction(const struct problem *p, const double *x, double b[DIM_MAX
     const struct faulty *f = p->data;
     f->right->direction(f->right, x, b);
     if (f->opposite) b[1] = 0 - b[1];
+    const double x_of = b[0], y_of = b[1], c = cos(f->turn), s = sin(f->turn);
+    b[0] = c * x_of - s * y_of, b[1] = s * x_of + c * y_of;
 }
 
 int faulty_make(const struct problem *p, struct fault fault, double size, struct faulty *f) {

@@ -156,13 +156,24 @@ static int passing(const struct rows *rows, unsigned feature, int with) {
     return n;
 }
 
-/* The feature that sets the rows that fail apart: fewest rows that pass have it; -1: none. */
+/* The chance that rows drawn at random, as many as fail, all have that feature. */
+static double by_chance(const struct rows *rows, unsigned feature, int failing) {
+    double with = failing + passing(rows, feature, 1), all = with + passing(rows, feature, 0), chance = 1;
+    for (int i = 0; i < failing; i++) chance *= (with - i) / (all - i);
+    return chance;
+}
+
+/* The feature that sets the rows that fail apart: fewest rows that pass have it, no more than fail or so few that it
+ * is no chance; -1: none. */
 static int telling(const struct rows *rows, int from, int to, int failing) {
-    int best = -1, fewest = failing + 1;
+    static const double RARE = 0.01;
+    int best = -1, fewest = rows->n;
     for (int i = from; i < to; i++) {
         unsigned bit = 1u << i;
-        if (!(rows->shared & bit) || !passing(rows, bit, 0) || passing(rows, bit, 1) >= fewest) continue;
-        fewest = passing(rows, bit, 1), best = i;
+        int with = passing(rows, bit, 1);
+        if (!(rows->shared & bit) || !passing(rows, bit, 0) || with >= fewest) continue;
+        if (with > failing && by_chance(rows, bit, failing) > RARE) continue;
+        fewest = with, best = i;
     }
     return best;
 }

@@ -276,7 +276,6 @@ static void wall_value_in_the_middle_alone_is_found(void **state) {
     }
 }
 
-/* A positive size is a later time: the source at t is that of the scene at t + size. */
 static void a_cross_term_is_lost_or_has_the_other_sign(void **state) {
     (void)state;
     struct problem p = problem_of("rect-manufactured");
@@ -288,6 +287,22 @@ static void a_cross_term_is_lost_or_has_the_other_sign(void **state) {
     assert_near(with.problem.cross[0], -p.cross[0], 0);
 }
 
+/* Size 1 is a right angle, anticlockwise. */
+static void a_field_is_turned_by_its_size(void **state) {
+    (void)state;
+    struct problem p = problem_of("ring");
+    struct faulty with;
+    const double x[DIM_MAX] = {0.31, -0.17, 0};
+    double b[DIM_MAX], turned[DIM_MAX];
+    assert_true(faulty_make(&p, (struct fault){FAULT_TURN, 0}, 1. / 9, &with));
+    p.direction(&p, x, b), with.problem.direction(&with.problem, x, turned);
+    assert_near(b[0] * turned[1] - b[1] * turned[0], sin(M_PI / 18), 1e-15);
+    assert_true(faulty_make(&p, (struct fault){FAULT_K_PAR, 0}, 0.21, &with));
+    assert_near(with.problem.k_par, 1.21 * p.k_par, 1e-15 * p.k_par);
+    assert_false(faulty_make(&(struct problem){.dim = 2}, (struct fault){FAULT_TURN, 0}, 1, &with));
+}
+
+/* A positive size is a later time: the source at t is that of the scene at t + size. */
 static void sources_are_late_by_their_size(void **state) {
     (void)state;
     struct problem p = problem_of(CHANGING);
@@ -314,6 +329,7 @@ int main(void) {
         cmocka_unit_test(starts_move_along_y),
         cmocka_unit_test(wall_value_in_the_middle_alone_is_found),
         cmocka_unit_test(a_cross_term_is_lost_or_has_the_other_sign),
+        cmocka_unit_test(a_field_is_turned_by_its_size),
         cmocka_unit_test(sources_are_late_by_their_size),
     };
     return cmocka_run_group_tests_name("fault", tests, NULL, NULL);

@@ -320,6 +320,24 @@ static void rows_without_a_name_say_what_they_share(void **state) {
     assert_string_equal(g.diagnosis, "one row alone does not pass: it detects a face lost");
 }
 
+/* Two rows of five with k_xy fail: among 65 rows that is no chance, 1 of 208; among 25 it is 1 of 30. */
+static void a_feature_of_few_rows_is_said(void **state) {
+    (void)state;
+    enum { FEW = 5, ALL = 65 };
+    struct gate_result result[ALL] = {0};
+    struct gates g = {.result = result};
+    for (int i = 0; i < ALL; i++) {
+        result[i].gate.measure = "leak";
+        result[i].gate.command = i < FEW ? "run ring mine --dx 0.1" : "run rod-gauss mine --dx 0.1";
+        result[i].measured.verdict = i < 2 ? VERDICT_FAIL : VERDICT_PASS;
+    }
+    for (int few = 0; few < 2; few++) {
+        g.declared = g.executed = few ? 25 : ALL;
+        gates_diagnose(&g);
+        assert_string_equal(g.diagnosis, few ? "" : "all rows that do not pass (2) are in the plane");
+    }
+}
+
 /* A row without an answer, as one that is not a number, does not speak against overflow; another answer does. */
 static void overflow_is_firm_where_no_row_has_another_answer(void **state) {
     (void)state;
@@ -356,6 +374,7 @@ int main(void) {
         cmocka_unit_test(junit_has_groups_and_interrupts),
         cmocka_unit_test(failing_gates_are_diagnosed),
         cmocka_unit_test(rows_without_a_name_say_what_they_share),
+        cmocka_unit_test(a_feature_of_few_rows_is_said),
         cmocka_unit_test(overflow_is_firm_where_no_row_has_another_answer),
     };
     return cmocka_run_group_tests_name("gates", tests, NULL, NULL);
