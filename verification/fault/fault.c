@@ -93,7 +93,8 @@ static const struct fault_places
                "k_xy were another"},
     fields = {FIELDS,
               (const char *const[]){"b were turned by 90 degrees, or k_par and k_perp in each other's place",
-                                    "k_perp were lost", "heat were conducted by k_par in all directions"},
+                                    "k_perp were lost", "heat were conducted by k_par in all directions",
+                                    "K were that of another place, with x and y exchanged"},
               "the field were another"},
     fronts = {AT_FRONT_LOOSE + 1,
               (const char *const[]){"the latent heat were lost", "the front stayed in its first cell",
@@ -446,6 +447,7 @@ static void field(struct faulty *f) {
     if (f->fault.at == FIELD_TURNED) q->k_par = q->k_perp, q->k_perp = par;
     if (f->fault.at == FIELD_LOST) q->k_perp = 0;
     if (f->fault.at == FIELD_ALL) q->k_perp = par;
+    f->swapped = f->fault.at == FIELD_SWAPPED;
 }
 
 static void turn(struct faulty *f) {

@@ -132,7 +132,8 @@ static double source_rate(const struct problem *p, const double *x) {
 
 static void direction(const struct problem *p, const double *x, double b[DIM_MAX]) {
     const struct faulty *f = p->data;
-    f->right->direction(f->right, x, b);
+    const double other[DIM_MAX] = {p->lo[0] + x[1] - p->lo[1], p->lo[1] + x[0] - p->lo[0], 0};
+    f->right->direction(f->right, f->swapped ? other : x, b);
     if (f->opposite) b[1] = 0 - b[1];
     const double x_of = b[0], y_of = b[1], c = cos(f->turn), s = sin(f->turn);
     b[0] = c * x_of - s * y_of, b[1] = s * x_of + c * y_of;

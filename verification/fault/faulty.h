@@ -46,6 +46,7 @@ struct faulty {
     int kept;           /* the layer beside this side keeps its first values; -1: none */
     int by_steps;       /* 1: a change of the equation, which response.c solves by itself */
     int opposite;       /* 1: b of a field has the opposite component along y */
+    int swapped;        /* 1: b of a field is that of the place with x and y exchanged */
     double turn;        /* rad: b of a field is turned by it, anticlockwise */
     int laplacian;      /* 1: k lap T stands for div(k grad T) */
     int twice[DIM_MAX]; /* 1: the faces at which periodic sides meet count twice */

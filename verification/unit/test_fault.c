@@ -297,6 +297,9 @@ static void a_field_is_turned_by_its_size(void **state) {
     assert_true(faulty_make(&p, (struct fault){FAULT_TURN, 0}, 1. / 9, &with));
     p.direction(&p, x, b), with.problem.direction(&with.problem, x, turned);
     assert_near(b[0] * turned[1] - b[1] * turned[0], sin(M_PI / 18), 1e-15);
+    assert_true(faulty_make(&p, (struct fault){FAULT_FIELD, FIELD_SWAPPED}, 1, &with));
+    with.problem.direction(&with.problem, x, turned);
+    for (int a = 0; a < 2; a++) assert_near(turned[a], -b[1 - a], 1e-15);
     assert_true(faulty_make(&p, (struct fault){FAULT_K_PAR, 0}, 0.21, &with));
     assert_near(with.problem.k_par, 1.21 * p.k_par, 1e-15 * p.k_par);
     assert_false(faulty_make(&(struct problem){.dim = 2}, (struct fault){FAULT_TURN, 0}, 1, &with));
