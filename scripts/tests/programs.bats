@@ -28,7 +28,7 @@ ROWS
 }
 
 @test "--quick runs the rods of the battery alone" {
-    run heatladder verify --quick --solver 'exit 77; : {case} {out}'
+    run heatladder verify --quick --verbose --solver 'exit 77; : {case} {out}'
     grep -q 'smooth/gauss' <<<"$output"
     run ! grep -q 'plane/' <<<"$output"
 }
@@ -75,15 +75,22 @@ ROWS
     run rows --solver "[ ! -e ran ] || kill -TERM \$PPID; $code; echo >>ran; sleep 0.2" --json cut.json --only 'b/*'
     [ "$status" -eq 143 ]
     grep -q '"interrupted": 15' cut.json
-    [[ "$output" == *"interrupted: 1 of 2 gates judged"* ]]
+    [[ "$output" == *"interrupted: 1 of 2 rows judged"* ]]
     run timeout -s INT 0.2 heatladder verify --json cut.json
     [[ "$output" == *"gates judged"* ]]
     grep -q '"interrupted": 2' cut.json
 }
 
-@test "skipped rows are not counted as executed" {
-    run heatladder verify --only 'smooth/gauss' --solver 'exit 77 # {case} {out}'
-    [[ "$output" == *"1 gates declared, 0 executed"*"1 skipped"* ]]
+@test "rows that a program declines are counted; --verbose has a line for each; a failing row names its cases" {
+    run heatladder verify --only 'smooth/*' --solver 'exit 77 # {case} {out}'
+    [[ "$output" == *"2 rows: 0 passed, 0 failed, 0 inconclusive, 2 skipped"* ]]
+    run ! grep -q '^1 of 2 ' <<<"$output"
+    run heatladder verify --only 'smooth/*' --verbose --solver 'exit 77 # {case} {out}'
+    grep -q '^1 of 2 .*skipped: not applicable (exit status 77)' <<<"$output"
+    run heatladder verify --only 'smooth/*' --keep kept --solver \
+        'case {case} in (*sigma0=1.6*) exit 77;; esac; exit 9 # {out}'
+    [[ "$output" == *"smooth           0/1!, 1 skipped"* ]]
+    [ -e "$(sed -n 's/^  cases: //p' <<<"$output")/0.025/case" ]
 }
 
 @test "a FILE of - is standard output, with nothing else; folders that are missing are made" {
@@ -93,7 +100,7 @@ ROWS
     done
     expect 2 'standard output takes one file' heatladder verify --only symmetry/none --json - --junit -
     [ ! -e - ]
-    expect 0 'gates declared' heatladder verify --only symmetry/none --json a/b/gates.json --page c/d/page.html
+    expect 0 'gate declared' heatladder verify --only symmetry/none --json a/b/gates.json --page c/d/page.html
     [ -s a/b/gates.json ] && [ -s c/d/page.html ]
     expect 0 '1 case' heatladder case rod-gauss --dx 1 --into e/f/cases
 }
@@ -132,7 +139,7 @@ action() { # inputs of the action as NAME=VALUE...
 }
 
 @test "the GitHub Action: outputs, a verdict, an annotation" {
-    expect 0 'declared' action ONLY=walls/insulated SOLVER="$examples/cells_c {case} {out}"
+    expect 0 '1 row: 1 passed' action ONLY=walls/insulated SOLVER="$examples/cells_c {case} {out}"
     grep -qx verdict=pass outputs
     expect 3 '' action ONLY=walls/insulated SOLVER='false {case} {out}'
     grep -qx verdict=fail outputs

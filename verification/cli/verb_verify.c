@@ -133,12 +133,14 @@ static void announce(const struct verify_options *r, struct gates *g) {
     if (runs == 1)
         fprintf(stderr, "heatladder: the program runs once\n");
     else
-        fprintf(stderr, "heatladder: the program runs some %d times, %s\n", runs, side);
+        fprintf(stderr, "heatladder: the program runs at most %d times, %s; a row that fails runs it again\n", runs,
+                side);
 }
 
 static int run_gates(const struct verify_options *r, struct gates *g, struct failure *why) {
     if (!g->program || !g->program->solver) return gates_run(g), STATUS_OK;
     announce(r, g);
+    g->verbose = r->verbose;
     return gates_run_program(g, r->jobs ? r->jobs : 1, why);
 }
 
@@ -162,7 +164,8 @@ static int verify(const struct verify_options *r, struct gate_file *file, struct
     int status = output_noted() ? STATUS_OK : run_gates(r, g, why);
     if (output_noted()) {
         gates_cut(g, output_noted());
-        fprintf(stderr, "heatladder: interrupted: %d of %d gates judged\n", g->executed, g->planned);
+        fprintf(stderr, "heatladder: interrupted: %d of %d %s judged\n", g->executed, g->planned,
+                gates_noun(g, g->planned));
     }
     gates_diagnose(g);
     return status ? status : write_all(g, r, omp_get_wtime() - start, why);
@@ -190,7 +193,10 @@ static const struct option own[] = {
     {"jobs", "N", "cases of --solver to run at a time, default 1; with more, seconds are not comparable",
      option_whole, PLACE(jobs), 1, 1024, .needs = "solver"},
     {"", .about = "Rows:"},
-    {"quick", NULL, "only the quick gates; with --solver, only rods", option_flag, PLACE(quick)},
+    {"quick", NULL,
+     "only quick gates; with --solver or --results: only rows of rods, scenes rod-... and wall-...; "
+     "with --gates: only its rows QUICK",
+     option_flag, PLACE(quick)},
     {"only", "GLOB[,GLOB...]", "only names that match, such as '*gauss*'; may be repeated", option_globs, PLACE(only),
      .repeats = 1},
     {"skip", "GLOB[,GLOB...]", "leave out names that match; may be repeated", option_globs, PLACE(skip),
@@ -201,8 +207,8 @@ static const struct option own[] = {
      "GATE(\"id\", QUICK, \"measure\", \"command\", lo, hi, ceiling, \"why\")",
      option_text, PLACE(gates_path)},
     {"", .about = "Output:"},
-    {"verbose", NULL, "list every gate with its details, diagnose every ladder; also -v", option_flag,
-     PLACE(verbose)},
+    {"verbose", NULL, "list every gate with its details, name each skipped row, diagnose every ladder; also -v",
+     option_flag, PLACE(verbose)},
     {"page", "FILE", "write the verdict and its table as an HTML page, and the ladders as FILE.csv", option_text,
      PLACE(page_path)},
     {"junit", "FILE", "write the verdicts as JUnit XML", option_text, PLACE(junit_path)},

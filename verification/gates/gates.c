@@ -15,6 +15,7 @@
 #include "verification/case/results.h"
 #include "verification/judge/judge.h"
 #include "verification/judge/ladder.h"
+#include "verification/solve/process.h"
 #include "verification/solve/program.h"
 #include "verification/solve/runs.h"
 #include "verification/solve/scratch.h"
@@ -302,6 +303,11 @@ int gates_begins_group(const struct gates *g, int i) {
     return 1;
 }
 
+const char *gates_noun(const struct gates *g, int number) {
+    if (g->program) return number == 1 ? "row" : "rows";
+    return number == 1 ? "gate" : "gates";
+}
+
 int gates_holds(const struct gate_result *r) {
     return r->measured.verdict == VERDICT_PASS;
 }
@@ -342,9 +348,14 @@ int gates_status(const struct gates *g) {
 
 /* ---- Rows of another program ---- */
 
+/* A program that solves rods alone declines most rows; their lines would hide the others. */
 static void show_row(const struct gates *g, const struct gate_result *r, struct progress *progress) {
     const struct measured *m = &r->measured;
     int passed = m->verdict == VERDICT_PASS;
+    if (m->verdict == VERDICT_SKIPPED && !g->verbose && process_declined(m->reason)) {
+        progress_now(progress, "%d of %d  %s  skipped", progress->done, g->declared, r->gate.id);
+        return;
+    }
     progress_print(progress, "%d of %d  %s  %s%s%s  %.1f s", progress->done, g->declared, r->gate.id,
                    verdict_words[m->verdict], passed ? "" : ": ", passed ? "" : m->reason, r->seconds);
 }

@@ -49,6 +49,7 @@ struct gates {
     const struct program *program; /* answers all rows; NULL: each row by its own command */
     char diagnosis[400];           /* by gates_diagnose; "" if there is none */
     const char *origin;            /* words of `verify` that give these rows; NULL for none */
+    int verbose;                   /* 1: progress names the rows too that the program declines */
 };
 
 /* Rows of the table and one for the reference of each scene, chosen by gates_choose, with bounds.  The status of
@@ -80,7 +81,10 @@ void gates_read(struct gates *g);
 /* The experiment of a command at its finest rung, for the expressions of bounds. */
 struct experiment gates_finest(const struct command *c);
 
-/* Runs of another program if none fails; a case that rows share counts once. */
+/* "rows" for another program, else "gates"; "row" or "gate" for one of them. */
+const char *gates_noun(const struct gates *g, int number);
+
+/* Runs of another program if it declines no row and none fails; a case that rows share counts once. */
 int gates_runs(struct gates *g);
 
 /* Rungs of a row; 1 for a run. */

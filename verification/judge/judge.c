@@ -153,7 +153,7 @@ enum verdict judge_order(const struct judged *l, double lo, double hi, char *rea
         return VERDICT_INCONCLUSIVE;
     }
     struct slope s = l->slope ? *l->slope : slope_fit(l->x, l->error, l->n);
-    int used = snprintf(reason, size, "the interval [%.4f, %.4f] ", s.ci[0], s.ci[1]);
+    int used = snprintf(reason, size, "the order's interval [%.4f, %.4f] ", s.ci[0], s.ci[1]);
     char *rest = reason + used;
     size_t room = size - (size_t)used;
     double span = l->x[0] / l->x[l->n - 1];
@@ -171,7 +171,7 @@ enum verdict judge_order(const struct judged *l, double lo, double hi, char *rea
         return VERDICT_INCONCLUSIVE;
     }
     if (!(lo <= s.ci[0] && s.ci[1] <= hi)) {
-        snprintf(rest, room, "reaches past [%g, %g]: more or finer rungs narrow it", lo, hi);
+        snprintf(rest, room, "reaches past [%g, %g]: more or finer rungs narrow it (verify: --rungs N)", lo, hi);
         return VERDICT_INCONCLUSIVE;
     }
     snprintf(rest, room, "is inside [%g, %g]", lo, hi);
@@ -286,8 +286,8 @@ static int says_what_is_missing(const struct judge_facts *f, struct judge_verdic
     int needed = rungs_needed(f, &s);
     list_slopes(slope, n, list, sizeof list);
     snprintf(v->reason, sizeof v->reason,
-             "the error %.2g is %.0f times below its ceiling and falls throughout (slopes %s), but the interval "
-             "[%.2f, %.2f] of %d rungs reaches past [%g, %g]: ",
+             "the error %.2g is %.0f times below its ceiling and falls throughout (slopes %s), but the order's "
+             "interval [%.2f, %.2f] of %d rungs reaches past [%g, %g]: ",
              f->finest, f->ceiling / f->finest, list, s.ci[0], s.ci[1], r->n, f->band[0], f->band[1]);
     if (needed)
         words_add(v->reason, sizeof v->reason, "with this scatter %d rungs decide (--rungs %d)", needed, needed);

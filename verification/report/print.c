@@ -2,6 +2,9 @@
 /* Verdicts for a reader. */
 
 #include "verification/report/page.h"
+#include "solver/words.h"
+#include "verification/case/command.h"
+#include "verification/case/results.h"
 #include "verification/text/table.h"
 #include "verification/text/verdict.h"
 
@@ -9,7 +12,8 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ACROSS = 4 }; /* groups in a line */
+/* Characters of a group's counts and groups in a line, without and with counts of skipped rows. */
+enum { NARROW = 8, WIDE = 19, ACROSS = 4, ACROSS_WIDE = 2 };
 
 static void print_all(const struct gates *g) {
     struct table t = table_headed(2, "gate|verdict|expected|measured|error|seconds|what");
@@ -41,22 +45,33 @@ static void print_all(const struct gates *g) {
     table_end(&t, stdout);
 }
 
+/* "10/11!, 1 skipped"; returns 1 if some rows of the group are skipped and others are not. */
+static int count_group(const struct gates_tally *t, char text[WIDE + 1]) {
+    int some = t->judged && t->skipped;
+    snprintf(text, WIDE + 1, "skipped");
+    if (t->judged) snprintf(text, WIDE + 1, "%3d/%d%s", t->passed, t->judged, t->passed == t->judged ? "" : "!");
+    if (some) words_add(text, WIDE + 1, ", %d skipped", t->skipped);
+    return some;
+}
+
 static void print_groups(const struct gates *g) {
-    int column = 0;
+    int column = 0, wide = 0;
+    char counts[WIDE + 1];
+    for (int i = 0; i < g->declared; i++) {
+        struct gates_tally t = gates_tally(g, g->result[i].gate.id);
+        wide |= count_group(&t, counts);
+    }
     for (int i = 0; i < g->declared; i++) {
         const char *id = g->result[i].gate.id;
         if (!gates_begins_group(g, i)) continue;
         struct gates_tally t = gates_tally(g, id);
         const char *word = verdict_words[t.passed == t.judged ? VERDICT_PASS : VERDICT_FAIL];
-        printf("%s%-14.*s ", verdict_colour(stdout, word), (int)gates_group_length(id), id);
-        if (t.judged)
-            printf("%3d/%-3d%s", t.passed, t.judged, t.passed == t.judged ? " " : "!");
-        else
-            printf("skipped ");
-        printf("%s", verdict_colour_end(stdout, word));
-        printf("%s", ++column % ACROSS ? "    " : "\n");
+        count_group(&t, counts);
+        printf("%s%-14.*s %-*s%s", verdict_colour(stdout, word), (int)gates_group_length(id), id,
+               wide ? WIDE : NARROW, counts, verdict_colour_end(stdout, word));
+        printf("%s", ++column % (wide ? ACROSS_WIDE : ACROSS) ? "    " : "\n");
     }
-    if (column % ACROSS) printf("\n");
+    if (column % (wide ? ACROSS_WIDE : ACROSS)) printf("\n");
 }
 
 /* The value against its band, which the reason has rounded, and where the band comes from. */
@@ -68,13 +83,23 @@ static void print_details(const struct gate_result *r) {
     printf("%s  why: %s\n", isfinite(m->value) ? "\n" : "", gate->why);
 }
 
-static void print_failure(const struct gate_result *r, int all) {
+/* The folder of the cases, answers and logs of --keep. */
+static void print_kept(const struct gates *g, const struct gate_result *r) {
+    char place[RESULTS_PATH];
+    const char *keep = g->program ? g->program->keep : NULL;
+    if (!keep || !r->read || !r->read->experiment.scene) return;
+    const struct experiment *e = &r->read->experiment;
+    if (!results_of_scene(keep, e->scene, e->program.setting, place)) printf("  cases: %s\n", place);
+}
+
+static void print_failure(const struct gates *g, const struct gate_result *r, int all) {
     const struct measured *m = &r->measured;
     const char *word = verdict_words[m->verdict];
     printf("\n%s: %s%s%s: %s\n", r->gate.id, verdict_colour(stdout, word), word, verdict_colour_end(stdout, word),
            m->reason);
     if (*m->diagnosis) printf("  diagnosis: %s\n", m->diagnosis);
     if (all) print_details(r);
+    print_kept(g, r);
     printf("  heatladder %s\n", r->typed);
 }
 
@@ -94,7 +119,7 @@ static void print_skipped(const struct gates *g, int i, int all) {
             number++;
         }
     printf("\n");
-    if (number > MANY && !all) printf("%d gates (--verbose: their names)", number);
+    if (number > MANY && !all) printf("%d %s (--verbose: their names)", number, gates_noun(g, number));
     for (int k = i; k < g->declared && (number <= MANY || all); k++)
         if (is_skipped(&g->result[k]) && strcmp(g->result[k].measured.reason, reason) == 0)
             printf("%s%s", k > i ? ", " : "", g->result[k].gate.id);
@@ -108,15 +133,18 @@ void print_gates(const struct gates *g, int all, double seconds) {
     else
         print_groups(g);
     for (int i = 0; i < g->declared; i++)
-        if (gates_fails(&g->result[i])) print_failure(&g->result[i], all);
+        if (gates_fails(&g->result[i])) print_failure(g, &g->result[i], all);
     for (int i = 0; i < g->declared; i++)
         if (is_skipped(&g->result[i])) print_skipped(g, i, all);
     if (*g->diagnosis) printf("\ndiagnosis: %s\n", g->diagnosis);
     if (g->interrupted)
         printf("\ninterrupted by signal %d: %d of %d rows were judged\n", g->interrupted, g->executed, g->planned);
-    printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive",
-           g->interrupted ? g->planned : g->declared, g->executed - t.skipped, t.passed, t.failed, t.undecided);
+    int rows = g->interrupted ? g->planned : g->declared;
+    printf("\n%d %s%s", rows, gates_noun(g, rows), g->program ? ": " : " declared, ");
+    if (!g->program) printf("%d executed: ", g->executed - t.skipped);
+    printf("%d passed, %d failed, %d inconclusive", t.passed, t.failed, t.undecided);
     if (t.skipped) printf(", %d skipped", t.skipped);
+    if (g->program && g->interrupted) printf(", %d not judged", g->planned - g->executed);
     printf(" (%.2f s)\n", seconds);
 }
 

@@ -180,7 +180,7 @@ static int judge(const struct running *r, enum end end, struct failure *why) {
     if (WIFSIGNALED(status))
         return refuse(why, STATUS_NUMERICAL, "--solver: ended by signal %d%s", WTERMSIG(status), said);
     status = WEXITSTATUS(status);
-    if (status == SKIPPED) return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)%s", said);
+    if (status == SKIPPED) return refuse(why, STATUS_SKIPPED, PROCESS_DECLINED "%s", said);
     if (status == 126 || status == 127)
         return refuse(why, STATUS_INPUT, "--solver: the program could not be run (exit status %d)%s", status, said);
     if (status) return refuse(why, STATUS_NUMERICAL, "--solver: exit status %d%s", status, said);
@@ -195,6 +195,10 @@ static int code_of(const struct running *r, enum end end) {
     if (end == INTERRUPTED || end == LEFT_OTHERS) return -1;
     if (end == TIMED_OUT) return OVERDUE;
     return WIFSIGNALED(r->status) ? SIGNALLED + WTERMSIG(r->status) : WEXITSTATUS(r->status);
+}
+
+int process_declined(const char *reason) {
+    return strncmp(reason, PROCESS_DECLINED, strlen(PROCESS_DECLINED)) == 0;
 }
 
 int process_run(const struct process *p, struct failure *why) {

@@ -23,4 +23,8 @@ struct process {
  * any other end. *why has the reason and the last lines that it printed. */
 int process_run(const struct process *p, struct failure *why);
 
+/* The reason of a case that a program declines begins so; 1 for such a reason. */
+#define PROCESS_DECLINED "not applicable (exit status 77)"
+int process_declined(const char *reason);
+
 #endif

@@ -13,6 +13,7 @@
 #include "verification/solve/case_run.h"
 #include "verification/solve/field_file.h"
 #include "verification/case/results.h"
+#include "verification/solve/process.h"
 #include "verification/solve/runs.h"
 #include "verification/solve/scratch.h"
 #include "verification/text/output.h"
@@ -247,7 +248,7 @@ static int solve_later(const struct program *g, const struct scene *s, const str
     if (place_below(g, g->results, s, o, dir))
         return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
     int answered = results_answer(dir, path, sizeof path), code = case_run_status(dir);
-    if (code == STATUS_SKIPPED) return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)");
+    if (code == STATUS_SKIPPED) return refuse(why, STATUS_SKIPPED, PROCESS_DECLINED);
     if (!answered && code > 0)
         return refuse(why, STATUS_NUMERICAL, "%.300s: the program ended with exit status %d (%.300s/log)", path, code,
                       dir);

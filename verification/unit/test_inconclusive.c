@@ -168,7 +168,7 @@ static void missing_rungs_are_counted(void **state) {
         assert_order(needed, >, 5);
         struct judge_verdict v = judge(&m, 1.75, 2.3, 0.01);
         snprintf(text, sizeof text,
-                 "the interval [%.2f, %.2f] of 4 rungs reaches past [1.75, 2.3]: with this scatter "
+                 "the order's interval [%.2f, %.2f] of 4 rungs reaches past [1.75, 2.3]: with this scatter "
                  "%d rungs decide (--rungs %d)",
                  s.ci[0], s.ci[1], needed + out, needed + out);
         assert_has(v.reason, text);
