@@ -108,7 +108,9 @@ X86    = $(eval X86 := $$(filter x86_64%,$$(shell $$(CC) -dumpmachine)))$(X86)
 LANES4 = $(if $(X86),-mavx2)
 LANES8 = $(if $(X86),-mavx512f)
 HIDDEN = -fPIC -fvisibility=hidden
-FLAGS  = $(CC) $(ALL_CFLAGS) $(HIDDEN) $(LANES4) $(LANES8) $(LDFLAGS) $(ALL_LIBS)
+# Solvers and references are compiled once, for program and library; each has these three functions of its own.
+SHARED_CFLAGS = $(HIDDEN) $(foreach f,calloc realloc free,-D$f=guard_$f)
+FLAGS  = $(CC) $(ALL_CFLAGS) $(SHARED_CFLAGS) $(LANES4) $(LANES8) $(LDFLAGS) $(ALL_LIBS)
 GIVEN := $(filter environment command override,$(foreach v,CC CPPFLAGS CFLAGS LDFLAGS LDLIBS WERROR,$(origin $(v))))
 ifneq ($(filter setup,$(MAKECMDGOALS)),) # pkg-config may not be here yet
 $(BUILD)/flags: FORCE
@@ -126,18 +128,19 @@ FORCE:
 $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BUILD)/published.inc
 	@mkdir -p $(@D)
 	@echo "  CC    $<"
-	$(Q)$(CC) $(if $(filter solver/% references/%,$<),$(ALL_CFLAGS),$(patsubst -O3,-O1,$(ALL_CFLAGS))) $(DEFINES) -MMD -MP -c -o $@ $<
+	$(Q)$(CC) $(if $(filter solver/% references/%,$<),$(ALL_CFLAGS) $(SHARED_CFLAGS),$(patsubst -O3,-O1,$(ALL_CFLAGS))) $(DEFINES) -MMD -MP -c -o $@ $<
 
 # One file a width of vectors; the processor is asked at run time.
-$(BUILD)/solver/sweep/lanes%.o: DEFINES += $(HIDDEN)
 $(BUILD)/solver/sweep/lanes4.o: DEFINES += $(LANES4)
 $(BUILD)/solver/sweep/lanes8.o: DEFINES += $(LANES8)
 
 # The library: solvers and references on one thread, with memory that returns to the caller where it runs out
-# (references/library/guard.c).  Symbols other than hl_... are hidden in the .so and local in the .a.
-LIB_SOURCES := $(filter-out solver/out_of_memory.c,$(filter solver/% references/%,$(SOURCES))) $(wildcard references/library/*.c)
-LIB_OBJECTS := $(LIB_SOURCES:%.c=$(BUILD)/library/%.o)
-LIB_CFLAGS   = $(filter-out -fopenmp,$(ALL_CFLAGS)) -Wno-unknown-pragmas -Wno-unused-parameter $(HIDDEN) $(foreach f,calloc realloc free,-D$f=guard_$f)
+# (references/library/guard.c).  Files with threads are compiled for it without OpenMP.  Symbols other than hl_... are
+# hidden in the .so and local in the .a.
+LIB_SOURCES := $(filter-out solver/out_of_memory.c,$(filter solver/% references/%,$(SOURCES)))
+LIB_OWN     := $(shell grep -l 'pragma omp' $(LIB_SOURCES)) $(wildcard references/library/*.c)
+LIB_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(LIB_OWN),$(LIB_SOURCES))) $(LIB_OWN:%.c=$(BUILD)/library/%.o)
+LIB_CFLAGS   = $(filter-out -fopenmp,$(ALL_CFLAGS)) -Wno-unknown-pragmas -Wno-unused-parameter $(SHARED_CFLAGS)
 LIB_LIBS     = $(PKG_LIBS)
 SONAME       = libheatladder.so.$(firstword $(subst ., ,$(VERSION)))
 OBJCOPY     ?= objcopy
@@ -146,11 +149,6 @@ $(BUILD)/library/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.
 	@mkdir -p $(@D)
 	@echo "  CC    $< (library)"
 	$(Q)$(CC) $(LIB_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
-
-# No threads, no memory: the library takes the program's.
-$(BUILD)/library/solver/sweep/lanes%.o: $(BUILD)/solver/sweep/lanes%.o
-	@mkdir -p $(@D)
-	$(Q)cp $< $@
 
 $(BUILD)/libheatladder.so: $(LIB_OBJECTS)
 	$(Q)$(CC) $(LDFLAGS) $(CFLAGS) -shared $(if $(filter Darwin,$(shell uname)),,-Wl,-soname,$(SONAME) -Wl,--version-script=references/library/heatladder.map) -o $@ $^ $(LIB_LIBS) -lm -pthread $(LDLIBS)
@@ -478,4 +476,4 @@ nightly: all examples ## No optimization, races, valgrind, coverage, fuzzers, AR
 help: ## List the targets
 	@awk -F':.*## ' '/^##@ /{printf "\n%s\n", substr($$0, 5)} /^[a-z-]+:.*## /{printf "  %-16s %s\n", $$1, $$2}' Makefile
 
--include $(OBJECTS:.o=.d) $(LIB_OBJECTS:.o=.d) $(TESTS:=.d)
+-include $(sort $(OBJECTS:.o=.d) $(LIB_OBJECTS:.o=.d)) $(TESTS:=.d)

@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Memory exhaustion ends the program.  The library returns a status instead (references/library/guard.c). */
+/* Memory of the program: exhaustion ends it.  The library returns a status instead, and lists its blocks
+ * (references/library/guard.c). */
+#undef calloc
+#undef realloc
+#undef free
 #include "solver/status.h"
 
 #include <stdio.h>
@@ -9,4 +13,16 @@ void *xcheck(void *block, size_t count, size_t size) {
     if (block) return block;
     fprintf(stderr, "heatladder: out of memory (%zu x %zu bytes)\n", count, size);
     _Exit(STATUS_NUMERICAL); /* callable from any thread */
+}
+
+void *guard_calloc(size_t count, size_t size) {
+    return calloc(count, size);
+}
+
+void *guard_realloc(void *block, size_t size) {
+    return realloc(block, size);
+}
+
+void guard_free(void *block) {
+    free(block);
 }

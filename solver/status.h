@@ -40,4 +40,10 @@ void *xgrow(void *old, size_t used, size_t count, size_t size);
 /* Returns the block; ends the program as xcalloc does if it is NULL. */
 void *xcheck(void *block, size_t count, size_t size);
 
+/* calloc, realloc and free of solver/ and references/, renamed by the compiler.  In the program they are those of the
+ * C library; the library lists its blocks (references/library/guard.c). */
+void *guard_calloc(size_t count, size_t size);
+void *guard_realloc(void *block, size_t size);
+void guard_free(void *block);
+
 #endif

@@ -2,10 +2,7 @@
 #ifndef HEATLADDER_REFERENCES_LIBRARY_GUARD_H
 #define HEATLADDER_REFERENCES_LIBRARY_GUARD_H
 
-/* A call of the library: one at a time, with its memory in a list and the host's error handler of GSL set aside.  The
- * sources of the library are compiled with calloc, realloc and free renamed to those below. */
-
-#include <stddef.h>
+/* A call of the library: one at a time, with its memory in a list and the host's error handler of GSL set aside. */
 
 struct failure;
 
@@ -16,9 +13,5 @@ enum { STATUS_MEMORY = 7 };
 
 /* The block outlives the call that allocated it; returns it. */
 void *guard_keep(void *block);
-
-void *guard_calloc(size_t count, size_t size);
-void *guard_realloc(void *block, size_t size);
-void guard_free(void *block);
 
 #endif
