@@ -39,7 +39,8 @@ struct point {
     double heat;           /* J m^-3, from the melting point */
 };
 
-static int dim = 1, n[3] = {1, 1, 1}, source_changes, walls_change;
+static int dim = 1, n[3] = {1, 1, 1};
+static int source_changes, walls_change;
 static double lo[3], hi[3], width[3], t_end, dt_asked;
 static char oracle[2048];
 
@@ -144,8 +145,9 @@ static void write_points(const char *path, int which) {
     for (int c = 0; c < points; c++) {
         if (which == FRAME && is_cell(c)) continue;
         for (int d = 0; d < 3; d++) {
-            int at_corner = which == CORNERS && d < dim;
-            fprintf(f, "%.17g,", at_corner ? lo[d] + fmax(place(c, d) - 1, 0) * width[d] : point[c].x[d]);
+            double x = point[c].x[d];
+            if (which == CORNERS && d < dim) x = lo[d] + fmax(place(c, d) - 1, 0) * width[d];
+            fprintf(f, "%.17g,", x);
         }
         fprintf(f, "%.17g,%.17g,%.17g\n", width[0], width[1], width[2]);
     }
@@ -212,7 +214,8 @@ static void ask_corners(const char *path) {
 
 static double heat_at(double T) {
     double u = T - k_ref;
-    return rho_c_phase[u > 0] * u + (u > 0 ? latent : 0);
+    if (u > 0) return rho_c_phase[1] * u + latent;
+    return rho_c_phase[0] * u;
 }
 
 /* A cell is at the melting point while it takes its latent heat. */
@@ -232,9 +235,13 @@ static double k_at(double T) {
     return u > 0 ? k_0 * pow(u, k_n) : 0;
 }
 
-/* Between the cell and a point at that distance, with the mean of k at both, m^2 K W^-1.  The mean
- * of resistances would let no heat into a cell with k = 0. */
-static double resistance_of_mean(const struct point *p, double distance, double T) {
+/* m^2 K W^-1, with the mean of k at a cell and at the point beyond a face; at a wall that is not held the T of the
+ * cell.  The mean of resistances would let no heat into a cell with k = 0. */
+static double resistance_of_law(const struct point *p, const struct point *beyond, int d, int is_wall) {
+    double distance = is_wall ? width[d] / 2 : width[d];
+    double T = beyond->T;
+    if (phases) return distance; /* the potential has k */
+    if (is_wall && beyond->axis[d].kind != HELD) T = p->T;
     return distance / ((k_at(p->T) + k_at(T)) / 2);
 }
 
@@ -242,8 +249,10 @@ static double resistance_of_mean(const struct point *p, double distance, double 
  * cell and the wall (none if it is held, 1/b if it is cooled).  Through a wall of given flux no
  * conductance is needed. */
 static void make_face(int c, int face, int e) {
-    int d = face / 2, is_wall = !is_cell(e);
-    struct point *p = &point[c], *beyond = &point[e];
+    int d = face / 2;
+    int is_wall = !is_cell(e);
+    struct point *p = &point[c];
+    struct point *beyond = &point[e];
     double resistance = width[d] / (2 * p->axis[d].k);
     if (is_wall) beyond->T = beyond->axis[d].value;
     if (is_wall && beyond->axis[d].kind == FLUX) {
@@ -253,12 +262,10 @@ static void make_face(int c, int face, int e) {
     if (!is_wall) resistance += width[d] / (2 * beyond->axis[d].k);
     if (contact_resistance > 0 && (p->x[0] < interface) != (beyond->x[0] < interface))
         resistance += contact_resistance;
-    if (phases) resistance = is_wall ? width[d] / 2 : width[d];
-    if (*k_law && !phases && is_wall)
-        resistance = resistance_of_mean(p, width[d] / 2, beyond->axis[d].kind == HELD ? beyond->T : p->T);
-    if (*k_law && !phases && !is_wall) resistance = resistance_of_mean(p, width[d], beyond->T);
-    if (*conductivity) /* K at the face, the mean of both cells */
-        resistance = is_wall ? width[d] / (2 * beyond->axis[d].k) : 2 * width[d] / (p->axis[d].k + beyond->axis[d].k);
+    if (*k_law) resistance = resistance_of_law(p, beyond, d, is_wall);
+    if (*conductivity && is_wall) resistance = width[d] / (2 * beyond->axis[d].k);
+    if (*conductivity && !is_wall) /* K at the face, the mean of both cells */
+        resistance = 2 * width[d] / (p->axis[d].k + beyond->axis[d].k);
     if (is_wall && beyond->axis[d].kind == COOLED) resistance += 1 / beyond->axis[d].b;
     p->conductance[face] = 1 / (resistance * width[d]);
 }
@@ -297,8 +304,10 @@ static double cross_fluxes(int c) {
     for (int d = 0; d < 2; d++)
         for (int side = -1; side <= 1; side += 2) {
             int e = c + side * stride[d];
+            if (!is_cell(e)) continue;
             double k_xy = (point[c].k_xy + point[e].k_xy) / 2;
-            if (is_cell(e)) sum += side * k_xy * (slope(c, 1 - d) + slope(e, 1 - d)) / 2 / width[d];
+            double along = (slope(c, 1 - d) + slope(e, 1 - d)) / 2;
+            sum += side * k_xy * along / width[d];
         }
     return sum;
 }
@@ -306,7 +315,9 @@ static double cross_fluxes(int c) {
 /* T, and beyond held walls that of the image. */
 static double image(int c) {
     for (int d = 0; d < 2; d++) {
-        int inside = place(c, d) == 0 ? c + stride[d] : place(c, d) > n[d] ? c - stride[d] : c;
+        int inside = c;
+        if (place(c, d) == 0) inside = c + stride[d];
+        if (place(c, d) > n[d]) inside = c - stride[d];
         if (inside != c) return 2 * point[c].axis[d].value - image(inside);
     }
     return point[c].T;
@@ -316,8 +327,12 @@ static void corner_fluxes(void) {
     for (int c = 0; c < points; c++) {
         struct corner *p = &corner[c];
         if (place(c, 0) == 0 || place(c, 1) == 0) continue;
-        double a = image(c - stride[0] - stride[1]), b = image(c - stride[1]), e = image(c - stride[0]), f = image(c);
-        double T_x = (b - a + f - e) / (2 * width[0]), T_y = (e - a + f - b) / (2 * width[1]);
+        double T_00 = image(c - stride[0] - stride[1]); /* the four cells around the corner */
+        double T_10 = image(c - stride[1]);
+        double T_01 = image(c - stride[0]);
+        double T_11 = image(c);
+        double T_x = (T_10 - T_00 + T_11 - T_01) / (2 * width[0]);
+        double T_y = (T_01 - T_00 + T_11 - T_10) / (2 * width[1]);
         p->flux[0] = p->k_x * T_x + p->k_xy * T_y;
         p->flux[1] = p->k_xy * T_x + p->k_y * T_y;
     }
@@ -334,24 +349,38 @@ static double corner_divergence(int c) {
     return sum;
 }
 
+/* Adds what flows into cell c through its faces. */
+static void add_fluxes(int c) {
+    struct point *p = &point[c];
+    if (*conductivity) p->rate += cross_fluxes(c);
+    for (int face = 0; face < 2 * dim; face++) {
+        int distance = stride[face / 2];
+        int e = face % 2 == 1 ? c + distance : c - distance;
+        p->rate += p->conductance[face] * (potential(point[e].T) - potential(p->T));
+    }
+}
+
 /* One step of Euler's method: all rates first, then all temperatures. */
 static void step_by(double dt) {
     if (corner) corner_fluxes();
     for (int c = 0; c < points; c++) {
         struct point *p = &point[c];
         if (!is_cell(c)) continue;
-        p->rate = p->source + p->flux + (corner ? corner_divergence(c) : *conductivity ? cross_fluxes(c) : 0);
-        for (int face = 0; face < 2 * dim && !corner; face++) {
-            int distance = stride[face / 2];
-            int e = face % 2 == 1 ? c + distance : c - distance;
-            p->rate += p->conductance[face] * (potential(point[e].T) - potential(p->T));
-        }
+        p->rate = p->source + p->flux;
+        if (corner)
+            p->rate += corner_divergence(c);
+        else
+            add_fluxes(c);
     }
     for (int c = 0; c < points; c++) {
         struct point *p = &point[c];
         if (!is_cell(c)) continue;
-        p->heat += dt * p->rate;
-        p->T = phases ? temperature_at(p->heat) : p->T + dt * p->rate / p->rho_c;
+        if (phases) {
+            p->heat += dt * p->rate;
+            p->T = temperature_at(p->heat);
+        } else {
+            p->T += dt * p->rate / p->rho_c;
+        }
     }
 }
 
@@ -421,7 +450,8 @@ int main(int argc, char **argv) {
     write_points(path, ALL);
     ask_scene(path);
     if (argc > 3 && *conductivity) ask_corners(frame);
-    for (struct point *p = point; p < point + points && phases; p++) p->heat = heat_at(p->T);
+    if (phases)
+        for (struct point *p = point; p < point + points; p++) p->heat = heat_at(p->T);
     int steps = (int)ceil(t_end * make_faces() / 0.25); /* half of what is stable */
     if (dt_asked > 0) steps = (int)ceil(t_end / dt_asked - 1e-9);
     run(path, frame, steps);
