@@ -22,11 +22,12 @@ expect() {
     grep -qe "$pattern" <<<"$output" || { echo "no line matches: $pattern"; return 1; }
 }
 
-judge() { # command of a program, words of verify: its rows hold
+judge() { # command of a program, which takes {case} {out} unless it has them, words of verify: its rows hold
     local command=$1
+    [[ $command == *{case}* ]] || command+=' {case} {out}'
     shift
     export HEATLADDER=$program PYTHONPATH=$tree/scripts/python PYTHONDONTWRITEBYTECODE=1
-    expect 0 ' 0 failed, 0 inconclusive' heatladder verify --solver "$command {case} {out}" "$@"
+    expect 0 ' 0 failed, 0 inconclusive' heatladder verify --solver "$command" "$@"
 }
 
 # `stand_in NAME SCRIPT`: a command of that name, for this test alone.

@@ -38,3 +38,28 @@ with_module() { # module, example
     Rscript -e 'library(deSolve)' 2>/dev/null || skip "R's package deSolve is not here (make setup-peers)"
     judge "Rscript $tree/verification/examples/heat_desolve.R" --only "$few"
 }
+
+@test "elements.py, of FEniCSx" { few=contact/plane with_module dolfinx elements.py; }
+@test "particles.py, of PySPH" { few=whole/overshoot with_module pysph particles.py; } # of no order at this h/dx
+
+@test "elements.edp and tetrahedra.edp, of FreeFem++" {
+    needs FreeFem++
+    judge "FreeFem++ -nw -v 0 $tree/verification/examples/elements.edp {case} {out} P2" --only "$few"
+    judge "FreeFem++ -nw -v 0 $tree/verification/examples/tetrahedra.edp {case} {out} P1" --only space/walls
+}
+
+@test "cubic.edp, of FreeFem++" {
+    [ -e /usr/lib/freefem++/Element_P3.so ] || skip "FreeFem++'s P3 is not here (make setup-peers)"
+    export FF_LOADPATH='/usr/lib/freefem++;;'
+    judge "FreeFem++ -nw -v 0 $tree/verification/examples/cubic.edp {case} {out} P3" --order 4 --only smooth/gauss
+}
+
+@test "laplacianfoam.py" {
+    needs laplacianFoam
+    few=smooth/gauss,jump/faces with_module subprocess laplacianfoam.py
+}
+
+@test "shells.js" {
+    needs node
+    judge "node $tree/verification/examples/shells.js" --only space/ball
+}
