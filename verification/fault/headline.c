@@ -206,6 +206,22 @@ static struct diagnosis named(const struct hypothesis *h, const struct diagnosis
     return d;
 }
 
+/* The next best fault if all rows with fits melt, where many displace the front by as much. */
+static struct diagnosis rival(const struct hypothesis *list, int n, int best, const struct diagnosis *row,
+                              int failing) {
+    const struct diagnosis none = {.named = 0};
+    int at = -1, melt = 0, others = 0;
+    for (int i = 0; i < n; i++) {
+        if (list[i].fault.kind == list[best].fault.kind || list[i].votes < list[best].votes ||
+            list[i].score < list[best].score - NOISE)
+            continue;
+        if (at < 0 || is_better(&list[i], &list[at])) at = i;
+    }
+    for (int i = 0; i < failing; i++)
+        if (row[i].evidence) *(row[i].evidence->melts ? &melt : &others) = 1;
+    return at < 0 || !melt || others ? none : named(&list[at], row, failing);
+}
+
 struct headline headline_choose(const struct diagnosis *found, int failing, headline_check *contradicts,
                                 const void *context) {
     enum { MOST = 400, TRIES = 8 };
@@ -224,7 +240,9 @@ struct headline headline_choose(const struct diagnosis *found, int failing, head
         int scope = contradicts ? contradicts(&d, context) : 0;
         if (scope == 0 || (scope == 2 && !h.fault.named)) {
             int is_sure = is_firm(list, n, &list[best], known);
-            h = (struct headline){d, list[best].score, list[best].votes, failing, is_sure, scope};
+            h = (struct headline){d, list[best].score, list[best].votes, failing, is_sure, scope, {.named = 0}};
+            if (!is_sure) h.rival = rival(list, n, best, found, failing);
+            if (h.rival.named && contradicts && contradicts(&h.rival, context)) h.rival.named = 0;
         }
         if (scope == 0) break;
         if (scope == 2) least = h.share - NOISE; /* one that no row contradicts is better if it explains as much */
@@ -246,8 +264,9 @@ double headline_share(const struct headline *h, const struct diagnosis *row) {
 void headline_print(const struct headline *h, const char *class, char text[HEADLINE_TEXT]) {
     *text = '\0';
     if (h->fault.named)
-        snprintf(text, HEADLINE_TEXT, "%s%s%s%s (%d of %d rows that do not pass)", h->is_firm ? "" : "perhaps ",
-                 h->scope ? class : "", h->scope ? ", " : "", h->fault.what, h->votes, h->failing);
+        snprintf(text, HEADLINE_TEXT, "%s%s%s%s%s%s (%d of %d rows that do not pass)", h->is_firm ? "" : "perhaps ",
+                 h->scope ? class : "", h->scope ? ", " : "", h->fault.what, h->rival.named ? ", or " : "",
+                 h->rival.named ? h->rival.what : "", h->votes, h->failing);
 }
 
 /* ---- Rows that pass ---- */

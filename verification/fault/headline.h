@@ -13,9 +13,10 @@ struct headline {
     int votes, failing;     /* rows that it explains to FIT_VOTE or more; all rows that do not pass */
     int is_firm;            /* 1: half of the rows with known errors vote for it, two at least, and it has no rival */
     int scope;              /* 1: rows that pass contradict it, but none of the class of all failing rows */
+    struct diagnosis rival; /* a fault that explains as much, if all rows melt; not named: none */
 };
 
-enum { HEADLINE_TEXT = 340 };
+enum { HEADLINE_TEXT = 560 };
 
 /* Whether rows that pass contradict a fault: 0, 1, or 2: only rows outside the class of all that fail. */
 typedef int headline_check(const struct diagnosis *fault, const void *context);

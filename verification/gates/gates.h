@@ -47,7 +47,7 @@ struct gates {
     char **kept;                /* owned: `texts` texts of gates_keep */
     int texts;
     const struct program *program; /* answers all rows; NULL: each row by its own command */
-    char diagnosis[400];           /* by gates_diagnose; "" if there is none */
+    char diagnosis[560];           /* by gates_diagnose; "" if there is none */
     const char *origin;            /* words of `verify` that give these rows; NULL for none */
     int verbose;                   /* 1: progress names the rows too that the program declines */
 };

@@ -170,6 +170,29 @@ static void a_fault_of_all_rows_is_better_than_one_of_a_class(void **state) {
     }
 }
 
+/* Two faults that explain as much are both named where rows melt: there many displace the front. */
+static void fronts_that_are_displaced_have_two_names(void **state) {
+    (void)state;
+    struct diagnosis found = shown("rod-gauss", (struct fault){FAULT_CONDUCTIVITY, 0}, 0.2, 0.15);
+    struct evidence *e = found.evidence;
+    int at = 0;
+    while (e->fit[at].fault.kind != FAULT_CONDUCTIVITY) at++;
+    const struct fault_fit same = e->fit[at];
+    e->fit[0] = e->fit[1] = same;
+    e->fit[1].fault.kind = FAULT_LATENT;
+    e->n = 2;
+    for (int melts = 0; melts < 2; melts++) {
+        char text[HEADLINE_TEXT];
+        e->melts = melts;
+        struct headline h = headline_choose(&found, 1, NULL, NULL);
+        headline_print(&h, "", text);
+        print_message("%s\n", text);
+        assert_has(text, "perhaps as if the conductivity");
+        assert_int_equal(strstr(text, ", or as if the latent heat were") != NULL, melts);
+    }
+    free(e);
+}
+
 /* A source that is late by some seconds explains nearly as much. */
 static void a_source_that_keeps_its_first_value_is_not_of_another_time(void **state) {
     (void)state;
@@ -279,6 +302,7 @@ int main(void) {
         cmocka_unit_test(rows_that_pass_decide),
         cmocka_unit_test(a_fault_of_all_rows_is_better_than_one_of_a_class),
         cmocka_unit_test(a_step_too_few_explains_walls_that_are_early),
+        cmocka_unit_test(fronts_that_are_displaced_have_two_names),
         cmocka_unit_test(a_source_that_keeps_its_first_value_is_not_of_another_time),
         cmocka_unit_test(a_part_of_all_errors_is_not_firm),
         cmocka_unit_test(a_row_alone_speaks_for_others_if_it_is_sure),
