@@ -30,6 +30,7 @@ struct program {
     char setting[PROGRAM_SETTING]; /* directory of the parameters below SCENE; "" for SCENE itself */
     struct runs *runs;             /* shared state of the runs of one program (runs.h); NULL for none */
     const char *row;               /* the gate that runs the program, to be shown; NULL for none */
+    int diagnosis;                 /* 1: a run for the diagnosis of a row, to be shown */
     char rung[100];                /* directory of this rung below DX: NAME=VALUE or dt=DT; "" for DX itself */
 };
 

@@ -27,6 +27,7 @@ static double start_at(const struct experiment *e, double dx, double early) {
     int i = 0;
     start.options.dx = dx;
     start.program.keep = NULL;
+    start.program.diagnosis = 1;
     while (strcmp(e->scene->params[i].name, "t_end") != 0) i++;
     start.problem.param[i] = early * dx * dx / problem_diffusivity(&e->problem);
     if (e->scene->setup(&start.problem, &ignored) || run_experiment(&start, &result, &f)) return NAN;

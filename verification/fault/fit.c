@@ -21,6 +21,7 @@
 #include "solver/status.h"
 #include "verification/fault/diagnosis.h"
 #include "verification/fault/response.h"
+#include "verification/text/output.h"
 
 #include <gsl/gsl_sort_double.h>
 #include <math.h>
@@ -267,10 +268,11 @@ struct looked_at {
     double *base[2], *response;
 };
 
-/* Both fits of a fault with its response at that size (0: a small size).  Returns 0, or -1 if there is no
- * response. */
+/* Both fits of a fault with its response at that size (0: a small size).  Returns 0, or -1 if there is no response,
+ * or after an interrupt: its row has no verdict, and the many responses may take half a minute. */
 static int fit_at(const struct looked_at *at, struct fault fault, double size, struct fit fit[2]) {
     struct response r = {.size = 0};
+    if (output_noted()) return -1;
     const struct fault_row *row = &fault_rows[fault.kind];
     const int on_cells = row->is & FAULT_RUNG, in_cells = row->is & FAULT_CELL;
     int failed = on_cells || in_cells ? 0 : response_take(at->p, at->l, fault, size, &r);

@@ -9,6 +9,7 @@
 #include "references/kirchhoff.h"
 #include "solver/method.h"
 #include "verification/fault/melting.h"
+#include "verification/text/output.h"
 
 #include <gsl/gsl_interp2d.h>
 #include <gsl/gsl_spline.h>
@@ -80,7 +81,8 @@ static void step(struct steps *c, double t, double dt) {
     for (int i = 0; i < c->all; i++) c->T[i] += dt * c->rate[i];
 }
 
-/* Euler's method for changes of the equation that no problem of the solver has. */
+/* Euler's method for changes of the equation that no problem of the solver has, up to an interrupt: its row has no
+ * verdict. */
 static void solve_by_steps(const struct faulty *f, double dx, struct field *out) {
     const struct problem *p = &f->problem;
     struct steps c = {.f = f, .dx = dx, .all = 1};
@@ -98,7 +100,7 @@ static void solve_by_steps(const struct faulty *f, double dx, struct field *out)
         c.T[i] = p->initial(p, x);
     }
     const double steps = ceil(p->t_end * problem_diffusivity(p) * p->dim / (0.3 * dx * dx)), dt = p->t_end / steps;
-    for (double n = 0; n < steps; n++) step(&c, n * dt, dt);
+    for (double n = 0; n < steps && !output_noted(); n++) step(&c, n * dt, dt);
     free(c.rate);
 }
 

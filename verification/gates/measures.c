@@ -2,6 +2,7 @@
 /* The measures of gates. */
 #include "verification/gates/measures.h"
 
+#include "references/quantity.h"
 #include "references/scene.h"
 #include "solver/field.h"
 #include "solver/shape.h"
@@ -32,16 +33,49 @@ void measures_fail(struct measured *m, const struct failure *why) {
     snprintf(m->reason, sizeof m->reason, "%.390s", why->text);
 }
 
-void measures_judge(struct measured *m, double value, double lo, double hi) {
+static void put_quantity(const struct experiment *e, char *text, size_t size) {
+    const enum quantity_kind kind = e->quantity.kind;
+    if (!e->derived)
+        words_add(text, size, "the quantity");
+    else if (kind == QUANTITY_AT)
+        words_add(text, size, "T at %s", e->derived + strlen("at:"));
+    else
+        words_add(text, size, "%s%s", kind == QUANTITY_FLUX ? "" : "the ", e->derived);
+}
+
+/* The sentence of a measure (measures.def) with its value. */
+static void say(const struct experiment *e, const char *says, double value, char *text, size_t size) {
+    *text = '\0';
+    while (*says) {
+        const int plain = (int)strcspn(says, "{");
+        words_add(text, size, "%.*s", plain, says);
+        says += plain;
+        if (!*says) break;
+        if (says[1] == 'v')
+            words_add(text, size, "%.4g", value);
+        else if (says[1] == 'u')
+            words_add(text, size, "%s", quantity_unit(&e->quantity, &e->problem));
+        else
+            put_quantity(e, text, size);
+        says = strchr(says, '}') + 1;
+    }
+}
+
+/* The verdict on lo <= value <= hi. */
+static void judge_value(const struct command *r, const char *name, double value, double lo, double hi,
+                        struct measured *m) {
+    struct measured ignored;
+    char said[200];
+    say(&r->experiment, measures_find(name, &ignored)->says, value, said, sizeof said);
     m->value = m->ci[0] = m->ci[1] = value;
     m->verdict = verdict_within(value, lo, hi);
     int pass = m->verdict == VERDICT_PASS;
     if (!isfinite(value))
-        snprintf(m->reason, sizeof m->reason, "%.4g is not finite; expected %.4g to %.4g", value, lo, hi);
+        snprintf(m->reason, sizeof m->reason, "%s, not finite; expected %.4g to %.4g", said, lo, hi);
     else if (lo == 0 && value >= 0)
-        snprintf(m->reason, sizeof m->reason, "%.4g is %s %.4g", value, pass ? "at most" : "above", hi);
+        snprintf(m->reason, sizeof m->reason, "%s, %s %.4g", said, pass ? "at most" : "above the ceiling", hi);
     else
-        snprintf(m->reason, sizeof m->reason, "%.4g is %s [%g, %g]", value, pass ? "inside" : "outside", lo, hi);
+        snprintf(m->reason, sizeof m->reason, "%s, %s [%g, %g]", said, pass ? "inside" : "outside", lo, hi);
 }
 
 static void keep_rungs(const struct ladder *l, struct rungs *to) {
@@ -171,10 +205,10 @@ int measures_run(const struct experiment *e, struct result *r, struct field *f, 
     return status;
 }
 
-static void judge_run(const struct experiment *e, struct field *f, double value, double lo, double hi,
+static void judge_run(const struct command *r, const char *name, struct field *f, double value, double lo, double hi,
                       struct measured *m) {
-    measures_judge(m, value, lo, hi);
-    keep_field(e, f, m);
+    judge_value(r, name, value, lo, hi, m);
+    keep_field(&r->experiment, f, m);
     field_free(f);
 }
 
@@ -183,7 +217,7 @@ static void judge_run(const struct experiment *e, struct field *f, double value,
     void measures_##name(const struct command *r, double lo, double hi, struct measured *m) {                        \
         struct result of;                                                                                            \
         struct field f = {0};                                                                                        \
-        if (!measures_run(&r->experiment, &of, &f, m)) judge_run(&r->experiment, &f, value, lo, hi, m);              \
+        if (!measures_run(&r->experiment, &of, &f, m)) judge_run(r, #name, &f, value, lo, hi, m);                    \
     }
 OF_RUN(error_linf, of.error[NORM_LINF])
 OF_RUN(overshoot, fmax(of.shape.overshoot, of.shape.undershoot))
@@ -206,7 +240,7 @@ void measures_leak(const struct command *r, double lo, double hi, struct measure
     }
     for (int a = 0; a < p->dim; a++) rate += pow(M_PI / (p->hi[a] - p->lo[a]), 2) / p->material[0].rho_c;
     field_free(&f);
-    measures_judge(m, (log(before / after) / p->t_end / rate - p->k_perp) / p->k_par, lo, hi);
+    judge_value(r, "leak", (log(before / after) / p->t_end / rate - p->k_perp) / p->k_par, lo, hi, m);
 }
 
 void measures_checkerboard_kept(const struct command *r, double lo, double hi, struct measured *m) {
@@ -214,7 +248,7 @@ void measures_checkerboard_kept(const struct command *r, double lo, double hi, s
     struct result first, last;
     early.problem.t_end /= 10;
     if (measures_run(&early, &first, NULL, m) || measures_run(&r->experiment, &last, NULL, m)) return;
-    measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
+    judge_value(r, "checkerboard_kept", last.shape.checkerboard / first.shape.checkerboard, lo, hi, m);
 }
 
 /* `error` is the largest difference of the two fields, K. */
@@ -228,7 +262,7 @@ void measures_symmetry(const struct command *r, double lo, double hi, struct mea
     if (!status) status = symmetry_solve(e->method, &e->problem, &whole, &b, &why);
     measures_fail(m, &why);
     if (!status) {
-        measures_judge(m, (double)b.cost.updates / (double)a.cost.updates, lo, hi);
+        judge_value(r, "symmetry", (double)b.cost.updates / (double)a.cost.updates, lo, hi, m);
         m->error = a.n == b.n ? field_farthest(&a, b.T) : NAN;
     }
     field_free(&a);
@@ -269,14 +303,14 @@ void measures_reference(const struct command *r, double lo, double hi, struct me
         memcpy(where, x, sizeof where), when = t;
     }
     measures_fail(m, &(struct failure){0});
-    measures_judge(m, worst, lo, hi);
+    judge_value(r, "reference", worst, lo, hi, m);
     m->error = bound / size;
     if (m->verdict == VERDICT_PASS) return;
     snprintf(m->reason, sizeof m->reason, "the two forms are %.3g of their bounds apart at %g, %g, %g m, %g s", worst,
              where[0], where[1], where[2], when);
 }
 
-#define MEASURE(name, ceiling, about) {#name, about, ceiling, measures_##name},
+#define MEASURE(name, ceiling, about, says) {#name, about, says, ceiling, measures_##name},
 const struct measure measures[] = {
 #include "verification/gates/measures.def"
     {0}};
@@ -329,6 +363,7 @@ static void judge_noise(const struct command *r, const struct ladder *l, struct 
     double error = ladder_finest_error(l), ceiling = r->rungs.ceiling;
     e.options.dt = l->x[l->n - 1];
     e.program.keep = NULL;
+    e.program.diagnosis = 1;
     int differ = e.program.solver && run_twice(&e, &first, f, apart, &tried) &&
                  apart[NORM_L1] > JUDGE_NOISE * error && diagnosis_repeat(apart[NORM_LINF], field_largest(&f[0]), &d);
     for (int k = 0; k < 2; k++) field_free(&f[k]);
@@ -347,6 +382,7 @@ static void diagnose_steps(const struct command *r, const struct ladder *l, stru
     struct field f[2] = {{0}, {0}};
     int usable = e.program.solver != NULL && l->n >= 2;
     e.program.keep = NULL;
+    e.program.diagnosis = 1;
     for (int k = 0; k < 2 && usable; k++) {
         e.options.dt = l->x[l->n - 2 + k];
         usable = !measures_run(&e, &result[k], &f[k], &tried);
@@ -386,7 +422,8 @@ void measures_slope_time(const struct command *r, double lo, double hi, struct m
 /* A single run has few known digits; other faults are identified with a run at twice the spacing.  If runs differ,
  * or if the printed digits could account for the excess over `hi`, the error is inconclusive. */
 static void diagnose(const struct command *r, const struct field *f, double hi, struct measured *m) {
-    const struct experiment *e = &r->experiment;
+    struct experiment again = r->experiment;
+    const struct experiment *e = &again;
     const double dx = e->options.dx;
     double extent = fmax(e->problem.hi[0] - e->problem.lo[0], e->problem.hi[1] - e->problem.lo[1]);
     struct ladder_rungs rungs = {.dx = {.count = 2, .value = {2 * dx, dx}}, .diagnose = 1};
@@ -396,6 +433,7 @@ static void diagnose(const struct command *r, const struct field *f, double hi, 
     struct field given = program_as_given(&e->program, f, NULL);
     int digits, rounded = diagnosis_rounding(&given, m->error, extent / dx, &d);
     double printed = norms_digits(f, &e->program.map, &digits);
+    again.program.diagnosis = 1;
     if (!rounded && e->program.solver && !ladder_run(e, &rungs, l, &ignored)) diagnose_ladder(e, l, &d);
     measures_diagnosed(m, &d);
     if (l->noise.share > JUDGE_NOISE) {
@@ -417,7 +455,7 @@ void measures_error(const struct command *r, double lo, double hi, struct measur
     struct result result;
     struct field f = {0};
     if (!measures_run(e, &result, &f, m)) {
-        measures_judge(m, result.error[NORM_L1], lo, hi);
+        judge_value(r, "error", result.error[NORM_L1], lo, hi, m);
         if (e->external && m->verdict == VERDICT_FAIL) diagnose(r, &f, hi, m);
         keep_field(e, &f, m);
     }
@@ -431,7 +469,7 @@ void measures_repeat(const struct command *r, double lo, double hi, struct measu
     struct diagnosis d;
     if (run_twice(&r->experiment, &first, f, apart, m)) {
         double largest = field_largest(&f[0]);
-        measures_judge(m, apart[NORM_LINF] / largest, lo, hi);
+        judge_value(r, "repeat", apart[NORM_LINF] / largest, lo, hi, m);
         m->error = first.error[NORM_L1];
         if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart[NORM_LINF], largest, &d)) {
             measures_diagnosed(m, &d);
@@ -474,7 +512,7 @@ void measures_digits(const struct command *r, double lo, double hi, struct measu
             double T = given.T[i];
             digits = (int)fmax(digits, number_digits(T, T == 0 ? 0 : off / fabs(T), MANY - 1, text));
         }
-        measures_judge(m, digits, lo, hi);
+        judge_value(r, "digits", digits, lo, hi, m);
         if (single) measures_diagnosed(m, &d);
         keep_digits(&given, digits, off, m);
         field_free(&given);
@@ -513,7 +551,7 @@ void measures_limit_agree(const struct command *r, double lo, double hi, struct 
         at[0] = b.options.h, at[1] = l.measured, at[2] = l.von_neumann;
         if (isnan(apart)) break;
     }
-    measures_judge(m, worst, lo, hi);
+    judge_value(r, "limit_agree", worst, lo, hi, m);
     words_add(m->reason, sizeof m->reason, " (h/dx %.4g: measured %.5g, von Neumann %.5g)", at[0], at[1], at[2]);
 }
 
@@ -527,7 +565,7 @@ void measures_limit_published(const struct command *r, double lo, double hi, str
     if (model_of(r, &b, &l, 0, m)) return;
     const double tried = 0.99 * l.published;
     const int grows = step_limit_grows(&b, tried, STEPS, &why), agrees = grows == (tried > l.von_neumann);
-    measures_judge(m, agrees ? l.published / l.von_neumann : NAN, lo, hi);
+    judge_value(r, "limit_published", agrees ? l.published / l.von_neumann : NAN, lo, hi, m);
     words_add(m->reason, sizeof m->reason, " (published %.5g, von Neumann %.5g)", l.published, l.von_neumann);
     if (!agrees) words_add(m->reason, sizeof m->reason, "; yet a run at %.5g %s", tried, grows ? "grew" : "decayed");
 }
@@ -536,7 +574,7 @@ void measures_limit_interval(const struct command *r, double lo, double hi, stru
     struct model_problem b;
     struct step_limit l;
     if (model_of(r, &b, &l, 1, m)) return;
-    measures_judge(m, l.measured * l.radius / amplification_interval(&b.step), lo, hi);
+    judge_value(r, "limit_interval", l.measured * l.radius / amplification_interval(&b.step), lo, hi, m);
     words_add(m->reason, sizeof m->reason, " (measured %.5g of 1/|lambda|, theory %.5g; |G| = 1 at %.5g)",
               l.measured * l.radius, amplification_interval(&b.step), amplification_reach(&b.step));
 }
@@ -544,5 +582,5 @@ void measures_limit_interval(const struct command *r, double lo, double hi, stru
 void measures_growth(const struct command *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     struct step_limit l;
-    if (!model_of(r, &b, &l, 0, m)) measures_judge(m, l.growth, lo, hi);
+    if (!model_of(r, &b, &l, 0, m)) judge_value(r, "growth", l.growth, lo, hi, m);
 }

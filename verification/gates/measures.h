@@ -44,6 +44,7 @@ struct measured {
 struct measure {
     const char *name;
     const char *about; /* one line, with the unit */
+    const char *says;  /* the value with its unit, "the error E1 is {value}"; "" for a reason of its own */
     int ceiling;       /* 1: a built-in gate needs a ceiling on the error */
     /* Fills *m, judged by lo <= value <= hi. */
     void (*take)(const struct command *r, double lo, double hi, struct measured *m);
@@ -51,14 +52,13 @@ struct measure {
 
 extern const struct measure measures[]; /* ended by a NULL name */
 
-#define MEASURE(name, ceiling, about)                                                                                \
+#define MEASURE(name, ceiling, about, says)                                                                          \
     void measures_##name(const struct command *r, double lo, double hi, struct measured *m);
 #include "verification/gates/measures.def"
 #undef MEASURE
 
-/* A failure with its reason (skipped if the program skips the case); the verdict on lo <= value <= hi. */
+/* A failure with its reason (skipped if the program skips the case). */
 void measures_fail(struct measured *m, const struct failure *why);
-void measures_judge(struct measured *m, double value, double lo, double hi);
 
 /* Frees what *m owns. */
 void measures_free(struct measured *m);

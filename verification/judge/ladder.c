@@ -282,6 +282,7 @@ static void question(const struct experiment *e, struct ladder *l) {
     if (!e->program.solver || !l->kept[1].n) return;
     again.options.dx = l->x[l->n - 2];
     again.program.keep = NULL;
+    again.program.diagnosis = 1;
     if (!run_experiment(&again, &result, &f) && self_difference_fields(&e->problem, &l->kept[1], &f, apart)) {
         l->noise.apart = apart[NORM_LINF];
         l->noise.finest = norm == NORM_LINF ? apart[norm] : apart[norm] / sqrt(2);

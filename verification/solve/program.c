@@ -137,12 +137,13 @@ static int run_in(const struct program *g, const struct options *o, const char *
 /* Runs the case when its turn comes, in the directory of --keep or in a scratch directory; sets `dir` to it. */
 static int run_in_turn(const struct program *g, const struct scene *s, const struct options *o, const char *text,
                        struct scratch *scratch, char dir[RESULTS_PATH], double *seconds, struct failure *why) {
-    char dx[40], label[200];
+    char dx[40], label[200], shown[240];
     int code = -1;
     results_number(o->dx, dx);
     snprintf(label, sizeof label, "%s dx=%s%s%s", s->name, dx, *g->rung ? " " : "", g->rung);
+    snprintf(shown, sizeof shown, "%s%.200s", g->diagnosis ? "diagnosis of " : "", g->row ? g->row : label);
     enum runs_turn turn = RUNS_NOW;
-    if (g->runs) turn = runs_begin(g->runs, g->keep ? dir : NULL, text, g->row ? g->row : label, dx, seconds, why);
+    if (g->runs) turn = runs_begin(g->runs, g->keep ? dir : NULL, text, shown, dx, seconds, why);
     if (turn == RUNS_BEFORE || turn == RUNS_OVER) return why->status;
     const char *shared = turn == RUNS_NOW && g->keep ? dir : NULL;
     if (!shared) snprintf(dir, RESULTS_PATH, "%s", scratch->dir);

@@ -4,8 +4,16 @@
 #include "verification/fault/fit.h"
 
 #include "solver/field.h"
+#include "solver/status.h"
+#include "verification/fault/diagnosis.h"
+#include "verification/judge/norms.h"
+#include "verification/judge/run.h"
+#include "verification/text/output.h"
 
 #include "verification/unit/near.h"
+
+#include <signal.h>
+#include <stdlib.h>
 
 enum { N = 6 };
 
@@ -89,11 +97,45 @@ static void nearly_collinear_mean_is_halved(void **state) {
     assert_near(fit_fault(&exact, one).share, 0, 0);
 }
 
+static void hear(int number) {
+    (void)number;
+}
+
+/* No response is computed after an interrupt, so that the program ends at once. */
+static void interrupt_ends_the_search(void **state) {
+    (void)state;
+    struct command_run run[2];
+    struct diagnosis_rung rung[2];
+    double *exact[2];
+    for (int k = 0; k < 2; k++) {
+        const double dx = k ? 0.5 : 0.25;
+        assert_int_equal(command_run_line(&run[k], "run rod-gauss ftcs --dx %g", dx), STATUS_OK);
+        const struct experiment *e = &run[k].typed.experiment;
+        exact[k] = calloc(run[k].field.n, sizeof **exact);
+        norms_exact(e->scene, &e->problem, &run[k].field, exact[k]);
+        rung[k] = (struct diagnosis_rung){&run[k].field, exact[k], dx, run[k].field.dt, NAN};
+    }
+    signal(SIGTERM, hear);
+    for (int interrupted = 0; interrupted < 2; interrupted++) {
+        output_hold();
+        if (interrupted) raise(SIGTERM);
+        struct evidence *found = fit_all(&run[0].typed.experiment.problem, rung);
+        assert_int_equal(found->n > 0, !interrupted);
+        free(found);
+        output_release();
+    }
+    for (int k = 0; k < 2; k++) {
+        command_run_free(&run[k]);
+        free(exact[k]);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(components_of_an_error_are_found),
         cmocka_unit_test(discretization_errors_are_bounded),
         cmocka_unit_test(nearly_collinear_mean_is_halved),
+        cmocka_unit_test(interrupt_ends_the_search),
     };
     return cmocka_run_group_tests_name("fit", tests, NULL, NULL);
 }

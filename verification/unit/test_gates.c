@@ -44,6 +44,18 @@ static void correct_gate_passes(void **state) {
     if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
 }
 
+/* A number names what it is of, and its unit or norm. */
+static void reason_names_the_measure(void **state) {
+    (void)state;
+    const char *heat = "run rod-cosine ftcs --dx 0.05 --quantity heat";
+    assert_fails(judge("quantity_error", heat, 0, -1, NAN), "the error of the heat is ");
+    assert_fails(judge("quantity_error", heat, 0, -1, NAN), " of its exact value, above the ceiling -1");
+    assert_fails(judge("error_linf", "run rod-gauss ftcs --dx 0.5", 0, 1e-9, NAN), " K, above the ceiling 1e-09");
+    assert_fails(judge("error", "run rod-gauss ftcs --dx 0.5", 0, 1e-9, NAN), "the error E1 is ");
+    assert_fails(judge("quantity", "run rod-gauss ftcs --dx 0.5 --quantity at:0.125", -2, -1, NAN), "T at 0.125 is ");
+    assert_fails(judge("quantity", heat, -2, -1, NAN), " J/m^2, outside [-2, -1]");
+}
+
 static void a_wrong_order_fails(void **state) {
     (void)state;
     assert_fails(judge("slope", LADDER, 0.9, 1.1, 1e-3), "is outside");
@@ -110,8 +122,8 @@ static void instability_fails_with_its_reason(void **state) {
 
 static void nonfinite_values_fail(void **state) {
     (void)state;
-    assert_fails(judge("error", "run rod-gauss ftcs --dx 0.5", NAN, 1, NAN), "is outside");
-    assert_fails(judge("checkerboard_kept", "run rod-gauss ftcs --dx 0.5 --dt 1e-3", -1, -0.5, NAN), "is outside");
+    assert_fails(judge("error", "run rod-gauss ftcs --dx 0.5", NAN, 1, NAN), ", outside [");
+    assert_fails(judge("checkerboard_kept", "run rod-gauss ftcs --dx 0.5 --dt 1e-3", -1, -0.5, NAN), ", outside [");
 }
 
 static void operator_slope_needs_a_particle_method(void **state) {
@@ -356,6 +368,7 @@ static void overflow_is_firm_where_no_row_has_another_answer(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(correct_gate_passes),
+        cmocka_unit_test(reason_names_the_measure),
         cmocka_unit_test(a_wrong_order_fails),
         cmocka_unit_test(correct_order_above_the_ceiling_fails),
         cmocka_unit_test(an_order_needs_a_ceiling),
