@@ -41,16 +41,20 @@ static double start_at(const struct experiment *e, double dx, double early) {
 
 /* Determines whether the program's numbers are point values or cell means, from its answer at a time so early that
  * one step too many or too few is a hundredth of the difference between a mean and a value.  No such numbers differ
- * from values by more than 2 units.  A program of steps of F dx^2/kappa that ends after the first one past t_end is
- * off by 24 F units.  With a later t_end it makes the same step, and is off by 24 (LATER - EARLY) units less; any
- * other difference stays.  *step is then F, which the unknown mean leaves uncertain by 1/12; otherwise 0. */
-static double mean_of_start(const struct experiment *e, double dx, double *step) {
-    static const double EARLY = 1e-4, LATER = 0.02, MOST = 1.1 * FIT_MOST;
-    *step = 0;
-    double mean = e->program.solver ? start_at(e, dx, EARLY) : NAN;
-    if (!(fabs(mean) > MOST)) return mean;
-    if (mean > 0 && mean - start_at(e, dx, LATER) > 12 * (LATER - EARLY)) *step = mean / 24;
-    return NAN;
+ * from values by more than 2 units.  A program of whole steps of F dx^2/kappa makes none or one, 24 F units.  With a
+ * later t_end it gives the same answer, and is off by 24 (LATER - EARLY) units less; any other difference stays.
+ * *late is then F, which the unknown mean leaves uncertain by 1/12; or, if it made none, minus the longest stable
+ * step in a rod; otherwise 0. */
+static double mean_of_start(const struct experiment *e, double dx, double *late) {
+    static const double EARLY = 1e-4, LATER = 0.02, MOST = 1.1 * FIT_MOST, SAME = 0.1, LONGEST = 0.5;
+    *late = 0;
+    double mean = e->program.solver ? start_at(e, dx, EARLY) : NAN, whole = nearbyint(mean);
+    if (!(isfinite(mean) && mean - start_at(e, dx, LATER) > 12 * (LATER - EARLY)))
+        return fabs(mean) <= MOST ? mean : NAN;
+    int is_sampling = fabs(mean - whole) < SAME && (whole == 0 || whole == 1 || whole == -2);
+    if (is_sampling) *late = -LONGEST;
+    if (mean > 0 && !is_sampling && fabs(mean - 2) >= SAME) *late = mean / 24; /* 2: a lumped mass, or F = 1/12 */
+    return is_sampling ? mean : NAN;
 }
 
 /* The case given to the program, in its axes and temperatures.  If two materials meet across y, no solver here can
@@ -59,7 +63,7 @@ static void find_fault(const struct experiment *e, const struct ladder *l, struc
     struct diagnosis_rung rung[2];
     struct field given[2] = {{0}, {0}};
     struct image image;
-    double *exact[2], step, mean = mean_of_start(e, l->x[l->n - 2], &step);
+    double *exact[2], late, mean = mean_of_start(e, l->x[l->n - 2], &late);
     mapping_image(&e->program.map, &e->problem, &image);
     int mapped = e->problem.materials == 1 || image.interface_axis == 0;
     for (int k = 0; k < 2; k++) {
@@ -73,7 +77,7 @@ static void find_fault(const struct experiment *e, const struct ladder *l, struc
     }
     if (!diagnosis_unstable(&rung[0], d) && !diagnosis_unstable(&rung[1], d))
         diagnosis_find(mapped ? &image.problem : &e->problem, &rung[0], &rung[1], d);
-    if (step > 0) diagnosis_whole_steps(step, d);
+    if (late != 0) diagnosis_whole_steps(late, d);
     if (!mapped && d->named && d->fault.kind == FAULT_OFFSET) {
         d->size *= mapping_scale(&e->program.map); /* in the temperatures of the case */
         wording_fault(d);

@@ -125,11 +125,14 @@ void diagnosis_choose(const struct evidence *found, struct diagnosis *d) {
         snprintf(d->what, sizeof d->what, "no usual fault explains more than a correct code's own part of the error");
 }
 
-void diagnosis_whole_steps(double step, struct diagnosis *d) {
-    double share = fit_late(d->evidence, step);
+void diagnosis_whole_steps(double late, struct diagnosis *d) {
+    const int at = late > 0 ? STEPS_LATE : STEPS_EARLY;
+    const double share = fit_whole_steps(d->evidence, at, fabs(late));
     if (share < FIT_SHARE) return;
+    const struct fault_fit *clock = fit_first(d->evidence, FAULT_CLOCK);
+    if (at == STEPS_EARLY && stays(clock) && strcmp(clock->name, "s") != 0) return; /* one step too few */
     free(d->evidence);
-    *d = (struct diagnosis){.named = 1, .fault = {FAULT_WHOLE_STEPS, 0}, .size = 1, .unit = "", .share = share};
+    *d = (struct diagnosis){.named = 1, .fault = {FAULT_WHOLE_STEPS, at}, .size = 1, .unit = "", .share = share};
     wording_fault(d);
 }
 

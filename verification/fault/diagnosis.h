@@ -52,9 +52,10 @@ void diagnosis_choose(const struct evidence *found, struct diagnosis *d);
 /* The fault of *c with that size in a unit of fit_unit_names. */
 struct diagnosis diagnosis_of(const struct fault_fit *c, const char *unit, double size);
 
-/* Names whole steps of about `step` dx^2/kappa of a program that is known to make one where t_end is much shorter, if
- * an end that is late by at most one explains the errors of both rungs. */
-void diagnosis_whole_steps(double step, struct diagnosis *d);
+/* Names whole steps of a program that is known to make one of about `late` dx^2/kappa where t_end is much shorter, or
+ * none (late: minus its longest step), if an end at most that late explains the errors of both rungs.  An end that is
+ * early by one size stays a clock. */
+void diagnosis_whole_steps(double late, struct diagnosis *d);
 
 /* Names data that are taken a part of a step late or early, from the difference of two answers on one grid: `apart`,
  * K, at the points of *f, whose steps differ by dt, s, the one with longer steps less the other. */

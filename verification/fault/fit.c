@@ -215,21 +215,23 @@ static void find_unit(const struct problem *p, struct fault_fit *c, const struct
     if (c->fault.kind == FAULT_MEAN && !(found > LEAST_MEAN && found < 1 + FIT_STEADY)) c->drift = INFINITY;
 }
 
+const struct fault_fit *fit_first(const struct evidence *e, enum fault_kind kind) {
+    for (int i = 0; e && i < e->n; i++)
+        if (e->fit[i].fault.kind == kind) return &e->fit[i];
+    return NULL;
+}
+
 /* A fit takes numbers for halfway between values and means, from which they differ by up to 5/2 dx^2/24 laplace(T), a
- * clock of 5/48 dx^2/kappa.  The coarse rung may be late by no more than a correct code's own error. */
-double fit_late(const struct evidence *e, double step) {
+ * clock of 5/48 dx^2/kappa.  The coarse rung may be off by no more than a correct code's own error. */
+double fit_whole_steps(const struct evidence *e, int at, double most) {
     static const double UNSURE = 5.0 / 48;
-    for (int i = 0; e && i < e->n; i++) {
-        const struct fault_fit *c = &e->fit[i];
-        if (c->fault.kind != FAULT_CLOCK) continue;
-        for (int k = 0; k < 2; k++) {
-            const double late = c->rung[k].size / c->diffusive[k];
-            if (c->rung[k].share < FIT_SHARE && (k == 0 || c->rung[k].part >= FIT_MOST)) return 0;
-            if (late < -UNSURE || late > step + UNSURE) return 0;
-        }
-        return c->rung[0].share;
+    const struct fault_fit *c = fit_first(e, FAULT_CLOCK);
+    for (int k = 0; c && k < 2; k++) {
+        const double off = (at == STEPS_LATE ? 1 : -1) * c->rung[k].size / c->diffusive[k];
+        if (c->rung[k].share < FIT_SHARE && (k == 0 || c->rung[k].part >= FIT_MOST)) return 0;
+        if (off < -UNSURE || off > most + UNSURE) return 0;
     }
-    return 0;
+    return c ? c->rung[0].share : 0;
 }
 
 /* ---- All faults at two rungs ---- */

@@ -71,9 +71,12 @@ struct evidence {
 /* Fits all faults to two rungs, the fine one first; the caller frees the result.  NULL: no lattice fits. */
 struct evidence *fit_all(const struct problem *p, const struct diagnosis_rung *rung);
 
-/* The share of the errors that an end which is late by up to `step`, in units of dx^2/kappa, by another part of it at
- * each rung, explains; 0: none does.  NULL explains nothing. */
-double fit_late(const struct evidence *e, double step);
+/* The first fit of that kind; NULL: there is none. */
+const struct fault_fit *fit_first(const struct evidence *e, enum fault_kind kind);
+
+/* The share of the errors that an end which is late or early (STEPS_LATE, STEPS_EARLY) by up to `most`, in units of
+ * dx^2/kappa, by another part of it at each rung, explains; 0: none does.  NULL explains nothing. */
+double fit_whole_steps(const struct evidence *e, int at, double most);
 
 /* Names of the units of a kind, ended by NULL. */
 const char *const *fit_unit_names(enum fault_kind kind);

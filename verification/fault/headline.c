@@ -40,6 +40,7 @@ static int names(const struct diagnosis *row, const struct hypothesis *h) {
     /* if walls alone change T, an early end and early walls leave the same difference of two runs */
     int early = kind == FAULT_CLOCK && row->fault.kind == FAULT_WALL_TIME && strcmp(h->unit, "steps") == 0;
     if (!row->named || (row->fault.kind != kind && !some && !early)) return 0;
+    if (kind == FAULT_WHOLE_STEPS) return row->fault.at == h->fault.at;
     if (kind == FAULT_NOISE || kind == FAULT_UNSTABLE || fault_rows[kind].unit == UNIT_WHOLE) return 1;
     if (strcmp(row->unit, h->unit) != 0) return 0;
     if ((early || kind == FAULT_WALL_TIME) && strcmp(h->unit, "steps") == 0)
@@ -76,7 +77,7 @@ static double share_of(const struct diagnosis *row, const struct hypothesis *h) 
     static const double LONGEST = 0.5; /* dx^2/kappa: the longest stable step of Euler in a rod */
     double share = 0;
     if (names(row, h) && (!is_made(h->fault.kind) || !row->evidence)) return 1;
-    if (h->fault.kind == FAULT_WHOLE_STEPS) return fit_late(row->evidence, LONGEST);
+    if (h->fault.kind == FAULT_WHOLE_STEPS) return fit_whole_steps(row->evidence, h->fault.at, LONGEST);
     best_fit(row->evidence, h, 0, &share);
     return share;
 }

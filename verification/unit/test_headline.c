@@ -114,19 +114,21 @@ static void one_fault_explains_all_rows(void **state) {
     }
 }
 
-/* Rows that show whole steps by themselves; and one, with a source, that is late by a step or, which they exclude,
- * early. */
-static void late_rows_join_whole_steps(void **state) {
+/* Rows that show whole steps by themselves, past t_end or not; and one, with a source, that is late or early by a
+ * step. */
+static void rows_join_whole_steps(void **state) {
     (void)state;
-    for (int late = -1; late <= 1; late += 2) {
+    for (int k = 0; k < 4; k++) {
+        const int at = k / 2, late = k % 2 ? 1 : -1, joins = (late > 0) == (at == STEPS_LATE);
         struct diagnosis found[ROWS];
-        for (int i = 0; i < ROWS; i++) found[i] = of(FAULT_WHOLE_STEPS, 0, 1, "");
+        for (int i = 0; i < ROWS; i++) found[i] = of(FAULT_WHOLE_STEPS, at, 1, "");
         found[2] = shown(scenes_of[2], (struct fault){FAULT_CLOCK, 0}, late, spacings[2]);
         struct headline h = headline_choose(found, ROWS, NULL, NULL);
         print_message("%s, %d votes\n", h.fault.what, h.votes);
         assert_int_equal(h.fault.fault.kind, FAULT_WHOLE_STEPS);
-        assert_int_equal(h.votes, late > 0 ? 3 : 2);
-        assert_int_equal(h.is_firm, late > 0);
+        assert_int_equal(h.fault.fault.at, at);
+        assert_int_equal(h.votes, joins ? 3 : 2);
+        assert_int_equal(h.is_firm, joins);
         free(found[2].evidence);
     }
 }
@@ -297,7 +299,7 @@ int main(void) {
         cmocka_unit_test(sizes_choose_the_sentence),
         cmocka_unit_test(sentences_end_with_the_share),
         cmocka_unit_test(one_fault_explains_all_rows),
-        cmocka_unit_test(late_rows_join_whole_steps),
+        cmocka_unit_test(rows_join_whole_steps),
         cmocka_unit_test(rows_that_disagree_name_nothing_firmly),
         cmocka_unit_test(rows_that_pass_decide),
         cmocka_unit_test(a_fault_of_all_rows_is_better_than_one_of_a_class),
