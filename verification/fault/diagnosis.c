@@ -24,17 +24,18 @@ static int stays(const struct fault_fit *c) {
 }
 
 /* Faults that a more common fault often explains as well: a clock with the same offset at every spacing (T depends
- * on kappa t only: a conductivity), a coefficient of arbitrary size (one in the place of another), and initial data
- * of another size (a decay that is a little longer). */
-static int is_rare(const struct fault_fit *c) {
-    return (c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0) || c->fault.kind == FAULT_START_SIZE ||
+ * on k t/rho c only: a conductivity), rho c, a coefficient of arbitrary size (one in the place of another), and
+ * initial data of another size (a decay that is a little longer). */
+static int rarity(const struct fault_fit *c) {
+    if (c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0) return 2;
+    return c->fault.kind == FAULT_START_SIZE || c->fault.kind == FAULT_HEAT_CAPACITY ||
            fault_rows[c->fault.kind].is & FAULT_RARE;
 }
 
 /* 1 if a is preferred to b: its size is more nearly constant or, if both are equally constant, it explains more. */
 static int is_better(const struct fault_fit *a, const struct fault_fit *b) {
     static const double AS_WELL = 0.01;
-    if (is_rare(a) != is_rare(b)) return is_rare(b);
+    if (rarity(a) != rarity(b)) return rarity(a) < rarity(b);
     if (fabs(a->drift - b->drift) > AS_WELL) return a->drift < b->drift;
     return a->rung[0].share > b->rung[0].share;
 }
@@ -55,7 +56,6 @@ struct diagnosis diagnosis_of(const struct fault_fit *c, const char *unit, doubl
     d.fourier = c->step[0] / c->diffusive[0];
     if (c->fault.kind == FAULT_MEAN) d.fault.at = mean_of(c->geometric, size);
     wording_fault(&d);
-    d.is_pace = c->is_pace; /* said where no other row excludes it */
     return d;
 }
 
@@ -90,6 +90,17 @@ static int is_shared(const struct evidence *found, const struct fault_fit *best)
     return 0;
 }
 
+/* PACE_... of the faults with the share of *best, if it is one of them. */
+static unsigned paces(const struct evidence *found, const struct fault_fit *best) {
+    unsigned all = 0;
+    for (int i = 0; i < found->n; i++) {
+        const struct fault_fit *c = &found->fit[i];
+        const char *unit = c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0 ? "%" : c->name;
+        if (stays(c) && c->rung[0].share > best->rung[0].share - INDISTINCT) all |= fit_pace(c->fault.kind, unit);
+    }
+    return fit_pace(best->fault.kind, best->name) ? all : 0;
+}
+
 void diagnosis_choose(const struct evidence *found, struct diagnosis *d) {
     const int n = found ? found->n : 0;
     const struct fault_fit *c = found ? found->fit : NULL;
@@ -111,6 +122,8 @@ void diagnosis_choose(const struct evidence *found, struct diagnosis *d) {
     if (best >= 0) {
         *d = diagnosis_of(&c[best], c[best].name, c[best].rung[0].size / c[best].unit[0]);
         d->share = c[best].rung[0].share;
+        d->paces = paces(found, &c[best]);
+        wording_fault(d);
         return;
     }
     for (int i = 0; i < n; i++)
@@ -182,6 +195,11 @@ int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
 
 void diagnosis_overflow(struct diagnosis *d) {
     *d = (struct diagnosis){.named = 1, .fault = {FAULT_UNSTABLE, 0}, .unit = "", .share = NAN};
+    wording_fault(d);
+}
+
+void diagnosis_exchanged(int pair, struct diagnosis *d) {
+    *d = (struct diagnosis){.named = 1, .fault = {FAULT_TRANSPOSED, pair}, .size = 1, .unit = "", .share = NAN};
     wording_fault(d);
 }
 

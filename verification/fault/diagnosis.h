@@ -29,7 +29,7 @@ struct diagnosis {
     const char *unit; /* "steps", "s", "dx^2/kappa", "%", "cells", "K", "digits" or "" */
     double share;     /* share of the squared error, 0 to 1, at the finest rung; NAN if another criterion applies */
     double fourier;   /* dt kappa/dx^2 of the finest rung; 0: unknown */
-    int is_pace;      /* 1: a conductivity, in a problem where longer steps have the same effect */
+    unsigned paces;   /* PACE_... that explain the same: k, rho c and the end time, where only k/rho c acts */
     unsigned sides;   /* fault_sides */
     unsigned beside;  /* 1 << s of each side next to whose cells nearly all of the error is */
     struct evidence *evidence; /* fits of all faults, to be freed by the owner; NULL: none */
@@ -66,6 +66,9 @@ void diagnosis_steps(const struct problem *p, const struct field *f, const doubl
 int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d);
 /* The same of an answer that was refused for its temperatures (STATUS_UNSTABLE). */
 void diagnosis_overflow(struct diagnosis *d);
+/* The same of an answer with points that are inside only with two axes exchanged: pair 0: x and y, 1: y and z, 2: x
+ * and z. */
+void diagnosis_exchanged(int pair, struct diagnosis *d);
 
 /* Names a difference `apart`, K, between two runs of the same case, of fields as large as `largest`, K, if it
  * exceeds the effect of summation order: a single field is then inconclusive.  Returns 1 if it does. */

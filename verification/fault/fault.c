@@ -80,6 +80,11 @@ static const struct fault_places
                                      "all corners",
                                      "all edges"},
                "corners or edges"},
+    beside_corners = {BESIDE_ALL + 2,
+                      (const char *const[]){"the corner x_lo, y_lo", "the corner x_hi, y_lo", "the corner x_lo, y_hi",
+                                            "the corner x_hi, y_hi", "corners, on the sides across x,",
+                                            "corners, on the sides across y,"},
+                      "corners"},
     laws = {LAWS,
             (const char *const[]){"were that of the initial temperature", "were that of the reference temperature",
                                   "were that of side x_lo", "were that of side x_hi", "were that of side y_lo",
@@ -348,6 +353,17 @@ static int has_corner(const struct problem *p, int place) {
     return held;
 }
 
+/* Whether a side there, held or cooled, conducts heat. */
+static int has_beside(const struct problem *p, int place) {
+    int open = 0;
+    if (p->dim != 2 || p->shape || p->k_law || p->direction || p->materials == 2) return 0;
+    for (int s = 0; s < 4; s++) {
+        const int at_corner = place < BESIDE_ALL && (place >> s / 2 & 1) == s % 2;
+        open = open || ((at_corner || s / 2 == place - BESIDE_ALL) && is_open(p, s));
+    }
+    return open;
+}
+
 static int has_changing_walls(const struct problem *p, int at) {
     (void)at;
     return p->wall_rate != NULL;
@@ -404,6 +420,11 @@ static int has_latent(const struct problem *p, int at) {
     return p->k_law == K_PHASES;
 }
 
+static int has_no_phases(const struct problem *p, int at) {
+    (void)at;
+    return p->k_law != K_PHASES;
+}
+
 static int has_law(const struct problem *p, int at) {
     int s = at - LAW_SIDE;
     if (!has_any_law(p, at)) return 0;
@@ -427,6 +448,10 @@ static void conductivity(struct faulty *f) {
     q->k_par *= 1 + f->size, q->k_perp *= 1 + f->size;
     q->k_0 *= 1 + f->size;
     for (int m = 0; m < 2; m++) q->phase_k[m] *= 1 + f->size;
+}
+
+static void heat_capacity(struct faulty *f) {
+    for (int m = 0; m < f->problem.materials; m++) f->problem.material[m].rho_c *= 1 + f->size;
 }
 
 static void axis(struct faulty *f) {
@@ -670,6 +695,10 @@ static void along_wall(struct faulty *f) {
 
 static void corner(struct faulty *f) {
     f->corner = f->fault.at;
+}
+
+static void beside_corner(struct faulty *f) {
+    f->left_out = f->fault.at, f->by_steps = 1;
 }
 
 static void wall_time(struct faulty *f) {

@@ -26,6 +26,10 @@ enum {
     FAULT_RUNG = 32  /* the response is taken on the cells of each rung */
 };
 
+/* Faults with one effect where T depends on k t/rho c alone.  Sources, given fluxes and Robin walls tell k from the
+ * others, and data that change in time tell the end time from rho c. */
+enum { PACE_CONDUCTIVITY = 1, PACE_CAPACITY = 2, PACE_END = 4 };
+
 /* Places of a fault in a problem, such as its axes: `count` numbers from 0, each with a name. */
 struct fault_places {
     int count;
@@ -67,6 +71,11 @@ enum { AT_FRONT_LOST, AT_FRONT_KEPT, AT_FRONT_LOCKED, AT_FRONT_LOOSE };
 /* FAULT_WHOLE_STEPS */
 enum { STEPS_LATE, STEPS_EARLY };
 
+/* FAULT_BESIDE: of one corner of a plane, 2 y + x with 1 for the upper end; of all corners, on the sides across x or
+ * y.
+ */
+enum { BESIDE_ALL = 4 };
+
 /* FAULT_FIELD */
 enum { FIELD_TURNED, FIELD_LOST, FIELD_ALL, FIELD_SWAPPED, FIELDS };
 
@@ -84,8 +93,7 @@ double fault_scale(const struct problem *p, struct fault fault);
 /* The size at which the response is evaluated. */
 double fault_probe(const struct problem *p, struct fault fault);
 
-/* 1 if nothing but conduction changes T between steady walls: a larger conductivity has then the effect of longer
- * steps. */
+/* 1 if nothing but conduction changes T between steady walls: T depends on k t/rho c alone. */
 int fault_is_pace(const struct problem *p);
 
 /* 1 << enum side_kind of each side of *p to which the fault applies; 0 if it applies to none. */

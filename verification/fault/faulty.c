@@ -143,7 +143,7 @@ int faulty_make(const struct problem *p, struct fault fault, double size, struct
     if (!fault_applies(p, fault)) return 0;
     *f = (struct faulty){.problem = *p, .right = p, .fault = fault, .size = size, .mean = MEAN_SERIES};
     f->factor = f->source = f->initial = 1;
-    f->corner = f->kept = -1;
+    f->corner = f->kept = f->left_out = -1;
     for (int a = 0; a < DIM_MAX; a++) {
         f->stretch[a] = 1, f->centre[a] = (p->lo[a] + p->hi[a]) / 2, f->from[a] = a;
         f->problem.mirror[a] = 0;

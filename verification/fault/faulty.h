@@ -42,6 +42,7 @@ struct faulty {
     int frozen, source_frozen;                /* 1: data that change keep their first values */
     double source, source_late;               /* factor; s */
     int corner;                               /* the corners that lose what sides hold, see faulty_corner; -1: none */
+    int left_out;       /* the faces beside corners of a plane that conduct no heat, see FAULT_BESIDE; -1: none */
     int across;         /* the axis across which the materials meet, at the same part of its extent */
     int kept;           /* the layer beside this side keeps its first values; -1: none */
     int by_steps;       /* 1: a change of the equation, which response.c solves by itself */

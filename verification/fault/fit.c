@@ -160,8 +160,10 @@ static double drift(const struct fault_fit *c, const double unit[2]) {
 
 const char *const *fit_unit_names(enum fault_kind kind) {
     static const char *const part[] = {"%", NULL}, *const length[] = {"cells", NULL}, *const kelvin[] = {"K", NULL},
-                             *const time[] = {"s", FIT_DIFFUSIVE, "steps", NULL};
+                             *const time[] = {"s", FIT_DIFFUSIVE, "steps", NULL},
+                             *const end[] = {"s", FIT_DIFFUSIVE, "steps", "%", NULL};
     const enum fault_unit unit = fault_rows[kind].unit;
+    if (kind == FAULT_CLOCK) return end;
     return unit == UNIT_TIME ? time : unit == UNIT_LENGTH ? length : unit == UNIT_KELVIN ? kelvin : part;
 }
 
@@ -169,7 +171,15 @@ double fit_unit(const struct fault_fit *c, const char *name, int rung) {
     const enum fault_unit unit = fault_rows[c->fault.kind].unit;
     if (unit == UNIT_TIME && strcmp(name, "steps") == 0) return c->step[rung];
     if (unit == UNIT_TIME && strcmp(name, FIT_DIFFUSIVE) == 0) return c->diffusive[rung];
+    if (unit == UNIT_TIME && *name == '%') return c->end;
     return unit == UNIT_LENGTH || c->fault.kind == FAULT_SAMPLES ? c->cell[rung] : 1;
+}
+
+unsigned fit_pace(enum fault_kind kind, const char *unit) {
+    return kind == FAULT_CONDUCTIVITY                      ? PACE_CONDUCTIVITY
+           : kind == FAULT_HEAT_CAPACITY                   ? PACE_CAPACITY
+           : kind == FAULT_CLOCK && strcmp(unit, "%") == 0 ? PACE_END
+                                                           : 0;
 }
 
 /* Takes the named unit if the size is more nearly constant in it. */
@@ -202,7 +212,7 @@ static void find_unit(const struct problem *p, struct fault_fit *c, const struct
     if (row->unit == UNIT_TIME && !in_steps) prefer(c, FIT_DIFFUSIVE);
     if (c->fault.kind == FAULT_WALL_TIME) prefer(c, "s"); /* a phase */
     c->sides = fault_sides(p, c->fault);
-    c->is_pace = c->fault.kind == FAULT_CONDUCTIVITY && fault_is_pace(p);
+    c->end = p->t_end;
     if (p->materials == 2) { /* effects at a contact are proportional to 1/k - 1/harmonic */
         double a = p->material[0].k[0], b = p->material[1].k[0], harmonic = (1 / a + 1 / b) / 2;
         c->geometric = (1 / sqrt(a * b) - harmonic) / (2 / (a + b) - harmonic);
@@ -273,13 +283,16 @@ struct looked_at {
 /* Both fits of a fault with its response at that size (0: a small size).  Returns 0, or -1 if there is no response,
  * or after an interrupt: its row has no verdict, and the many responses may take half a minute. */
 static int fit_at(const struct looked_at *at, struct fault fault, double size, struct fit fit[2]) {
+    static const double UNLIKELY = 0.3;
     struct response r = {.size = 0};
     if (output_noted()) return -1;
     const struct fault_row *row = &fault_rows[fault.kind];
     const int on_cells = row->is & FAULT_RUNG, in_cells = row->is & FAULT_CELL;
     int failed = on_cells || in_cells ? 0 : response_take(at->p, at->l, fault, size, &r);
-    for (int k = 0; k < 2 && !failed; k++) {
+    for (int k = 1; k >= 0 && !failed; k--) {
         const struct field *f = at->rung[k].field;
+        fit[k] = (struct fit){.size = 0};
+        if (on_cells && k == 0 && fit[1].share < UNLIKELY) break; /* the fine rung takes most of the time */
         if (in_cells) response_free(&r);
         if (in_cells) failed = response_take(at->p, at->l, fault, row->cells * at->rung[k].dx, &r);
         if (failed) break;

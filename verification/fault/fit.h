@@ -52,11 +52,11 @@ struct fault_fit {
     struct fault fault;
     struct fit rung[2];
     double cell[2], step[2], diffusive[2]; /* units at the rungs: m; s, 0: unknown; dx^2/kappa, s */
+    double end;                            /* t_end, s */
     double unit[2];                        /* the unit in which the size is most nearly constant from rung to rung */
     double drift;     /* |log| of the change of the size in it; INFINITY if the size is not constant */
     const char *name; /* the unit: "steps", "s", "dx^2/kappa", "cells", "K" or "%" */
     unsigned sides;   /* fault_sides */
-    int is_pace;      /* 1: a conductivity where fault_is_pace */
     double geometric; /* FAULT_MEAN: the effect of the geometric mean over that of the arithmetic one */
 };
 
@@ -83,5 +83,8 @@ const char *const *fit_unit_names(enum fault_kind kind);
 
 /* The size of a unit at a rung, as in struct fault_fit; 0: the fit has no such unit. */
 double fit_unit(const struct fault_fit *c, const char *name, int rung);
+
+/* PACE_... of a fault with a size in that unit; 0: none. */
+unsigned fit_pace(enum fault_kind kind, const char *unit);
 
 #endif

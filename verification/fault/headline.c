@@ -161,28 +161,19 @@ static int suggest(const struct diagnosis *row, int failing, struct hypothesis *
 /* A time that is not a number of steps is a rare slip: a wrong end is one step off, data that keep their first value
  * are late by any time. */
 static int rarity(const struct hypothesis *h) {
+    if (h->fault.kind == FAULT_CLOCK && *h->unit == '%') return FAULT_HEAT_CAPACITY + 1;
     return strcmp(h->unit, "s") == 0 ? FAULT_KINDS : (int)h->fault.kind;
 }
 
+static const double AS_WELL = 0.02; /* scores that differ by less are equal */
+
 /* The better one explains more; of two that explain as much, it is at one place, or the more common. */
 static int is_better(const struct hypothesis *a, const struct hypothesis *b) {
-    static const double AS_WELL = 0.02;
     if (fabs(a->score - b->score) > AS_WELL) return a->score > b->score;
     if (a->fault.kind != b->fault.kind) return rarity(a) < rarity(b);
     if ((a->fault.at == FAULT_ANY) != (b->fault.at == FAULT_ANY)) return b->fault.at == FAULT_ANY;
     if (strcmp(a->unit, b->unit) != 0) return strcmp(a->unit, "steps") == 0 || !*b->unit; /* if a size is known */
     return a->score > b->score;
-}
-
-/* Whether it is the cause of at least half of the rows, nothing else has a part in them, and no other fault is nearly
- * as good. */
-static int is_firm(const struct hypothesis *list, int n, const struct hypothesis *best, int known) {
-    if (best->voted < FIT_SHARE) return 0;
-    double apart = best->votes >= MOST_ROWS * known ? NOISE : 5 * NOISE;
-    for (int i = 0; i < n; i++)
-        if (list[i].fault.kind != best->fault.kind && list[i].score > best->score - apart) return 0;
-    const int shown = best->fault.kind == FAULT_WHOLE_STEPS; /* by a run of its own */
-    return (best->votes >= 3 || best->votes == known) && (best->votes >= 2 || shown) && 2 * best->votes >= known;
 }
 
 /* Two votes, or that of the only row whose errors are known: it speaks for others if it leaves no part unexplained.
@@ -195,12 +186,12 @@ static int is_heard(const struct hypothesis *h, int known, int failing) {
 static struct diagnosis named(const struct hypothesis *h, const struct diagnosis *row, int failing) {
     struct diagnosis d = {.named = 1, .fault = h->fault, .size = h->size, .unit = h->unit, .share = NAN};
     if (h->shown) d = diagnosis_of(h->shown, h->unit, h->size);
-    d.sides = ~0u, d.is_pace = h->shown && h->fault.kind == FAULT_CONDUCTIVITY;
+    d.sides = ~0u;
     for (int i = 0; i < failing; i++) {
         double share;
         const struct fault_fit *c = best_fit(row[i].evidence, h, 0, &share);
         if (!c || share < VOTE) continue;
-        d.sides &= c->sides, d.is_pace &= c->is_pace;
+        d.sides &= c->sides;
         if (h->fault.at == FAULT_ANY && c->fault.at != h->shown->fault.at) d.fault.at = FAULT_ANY;
     }
     wording_fault(&d);
@@ -223,6 +214,33 @@ static struct diagnosis rival(const struct hypothesis *list, int n, int best, co
     return at < 0 || !melt || others ? none : named(&list[at], row, failing);
 }
 
+/* PACE_... of *best and of those that no row separates from it and no row that passes contradicts; 0: *best is none
+ * of them. */
+static unsigned paces(const struct hypothesis *list, int n, const struct hypothesis *best,
+                      const struct diagnosis *row, int failing, headline_check *contradicts, const void *context) {
+    unsigned all = fit_pace(best->fault.kind, best->unit);
+    for (int i = 0; i < n && all; i++) {
+        const unsigned pace = fit_pace(list[i].fault.kind, list[i].unit);
+        if (!pace || all & pace || list[i].score < best->score - AS_WELL) continue;
+        struct diagnosis d = named(&list[i], row, failing);
+        if (!contradicts || !contradicts(&d, context)) all |= pace;
+    }
+    return all;
+}
+
+/* Whether it is the cause of at least half of the rows, nothing else has a part in them, and no other fault, but
+ * `paces`, is nearly as good. */
+static int is_firm(const struct hypothesis *list, int n, const struct hypothesis *best, unsigned paces, int known) {
+    if (best->voted < FIT_SHARE) return 0;
+    double apart = best->votes >= MOST_ROWS * known ? NOISE : 5 * NOISE;
+    for (int i = 0; i < n; i++)
+        if (list[i].fault.kind != best->fault.kind && list[i].score > best->score - apart &&
+            !(paces & fit_pace(list[i].fault.kind, list[i].unit)))
+            return 0;
+    const int shown = best->fault.kind == FAULT_WHOLE_STEPS; /* by a run of its own */
+    return (best->votes >= 3 || best->votes == known) && (best->votes >= 2 || shown) && 2 * best->votes >= known;
+}
+
 struct headline headline_choose(const struct diagnosis *found, int failing, headline_check *contradicts,
                                 const void *context) {
     enum { MOST = 400, TRIES = 8 };
@@ -240,7 +258,9 @@ struct headline headline_choose(const struct diagnosis *found, int failing, head
         struct diagnosis d = named(&list[best], found, failing);
         int scope = contradicts ? contradicts(&d, context) : 0;
         if (scope == 0 || (scope == 2 && !h.fault.named)) {
-            int is_sure = is_firm(list, n, &list[best], known);
+            d.paces = paces(list, n, &list[best], found, failing, contradicts, context);
+            wording_fault(&d);
+            int is_sure = is_firm(list, n, &list[best], d.paces, known);
             h = (struct headline){d, list[best].score, list[best].votes, failing, is_sure, scope, {.named = 0}};
             if (!is_sure) h.rival = rival(list, n, best, found, failing);
             if (h.rival.named && contradicts && contradicts(&h.rival, context)) h.rival.named = 0;
@@ -276,7 +296,7 @@ void headline_print(const struct headline *h, const char *class, char text[HEADL
 static double size_at(const struct problem *p, const struct diagnosis *d, double dx, double dt) {
     double diffusive = dx * dx / problem_diffusivity(p);
     if (strcmp(d->unit, "cells") == 0) return d->size * dx;
-    if (strcmp(d->unit, "%") == 0) return d->size / 100;
+    if (strcmp(d->unit, "%") == 0) return d->size / 100 * (d->fault.kind == FAULT_CLOCK ? p->t_end : 1);
     if (strcmp(d->unit, "steps") == 0) return d->size * (dt > 0 ? dt : d->fourier * diffusive);
     if (strcmp(d->unit, FIT_DIFFUSIVE) == 0) return d->size * diffusive;
     return *d->unit ? d->size : 1;

@@ -51,6 +51,14 @@ static double conducts(const struct faulty *f, const double *x, int a, double T)
     return f->problem.k_law ? kirchhoff_k(&f->problem, T) : material_at(f, x)->k[a];
 }
 
+/* Whether that face of a wall, in the cell of a corner of a plane, is left out. */
+static int is_left_out(const struct steps *c, int i, int a, int hi) {
+    const int b = 1 - a, n = c->n[b], place = i / c->stride[b] % n, at = c->f->left_out;
+    if (at < 0 || (place > 0 && place < n - 1)) return 0;
+    const int upper = place > 0, corner = a == 0 ? 2 * upper + hi : 2 * hi + upper;
+    return at < BESIDE_ALL ? corner == at : at - BESIDE_ALL == a;
+}
+
 /* The heat that face `hi` across axis a adds to the cell i at x, W m^-3. */
 static double through(const struct steps *c, int i, const double *x, int a, int hi, double t) {
     const struct problem *p = &c->f->problem;
@@ -61,6 +69,7 @@ static double through(const struct steps *c, int i, const double *x, int a, int 
         y[a] = hi ? p->hi[a] : p->lo[a];
         double value = p->wall(p, s, y, t), half = c->dx / (2 * k);
         if (p->side[s] == NEUMANN) return value / c->dx;
+        if (is_left_out(c, i, a, hi)) return 0;
         return (value - c->T[i]) / (half + (p->side[s] == ROBIN ? 1 / p->robin[s] : 0)) / c->dx;
     }
     int j = i + (hi ? 1 : -1) * c->stride[a] * (at_side ? 1 - c->n[a] : 1);

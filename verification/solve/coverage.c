@@ -82,14 +82,48 @@ static size_t first_beyond(const double *x, size_t n, double lo, double hi) {
     return first;
 }
 
-static int check_inside(const struct samples *s, const struct problem *p, struct failure *why) {
+/* Whether all points are inside with axes a and b exchanged. */
+static int inside_exchanged(const struct samples *s, const struct problem *p, int a, int b) {
+    const int of[] = {a, b};
+    for (int k = 0; k < 2; k++) {
+        double lo = p->lo[of[1 - k]], hi = p->hi[of[1 - k]], away = SLACK * extent(p, of[1 - k]);
+        if (first_beyond(s->value[of[k]], s->n, lo - away, hi + away) < s->n) return 0;
+    }
+    return 1;
+}
+
+/* The end of a refusal, by pair of axes. */
+static const char *const exchanged[] = {"; with x and y exchanged all points are inside",
+                                        "; with y and z exchanged all points are inside",
+                                        "; with x and z exchanged all points are inside"};
+enum { PAIRS = sizeof exchanged / sizeof *exchanged };
+
+int coverage_exchanged(const struct failure *why) {
+    for (int pair = 0; pair < PAIRS; pair++)
+        if (strstr(why->text, exchanged[pair])) return pair;
+    return -1;
+}
+
+static int refuse_outside(const struct samples *s, const struct problem *p, int a, size_t first,
+                          struct failure *why) {
+    static const int axes[PAIRS][2] = {{0, 1}, {1, 2}, {0, 2}};
+    const double lo = p->lo[a], hi = p->hi[a];
     char place[SAMPLES_PLACE];
+    const char *end = "";
+    for (int pair = 0; pair < PAIRS; pair++)
+        if ((a == axes[pair][0] || a == axes[pair][1]) && axes[pair][1] < p->dim &&
+            inside_exchanged(s, p, axes[pair][0], axes[pair][1]))
+            end = exchanged[pair];
+    samples_place(s, first, place);
+    return refuse(why, STATUS_INPUT, "%.150s, line %ld: %s m: %c is outside %g to %g m%s", s->path,
+                  samples_line(s, first), place, "xyz"[a], lo, hi, end);
+}
+
+static int check_inside(const struct samples *s, const struct problem *p, struct failure *why) {
     for (int a = 0; a < p->dim; a++) {
-        double away = SLACK * extent(p, a), lo = p->lo[a], hi = p->hi[a];
-        size_t first = first_beyond(s->value[a], s->n, lo - away, hi + away);
-        if (first < s->n)
-            return refuse(why, STATUS_INPUT, "%.150s, line %ld: %s m: %c is outside %g to %g m", s->path,
-                          samples_line(s, first), samples_place(s, first, place), "xyz"[a], lo, hi);
+        double away = SLACK * extent(p, a);
+        size_t first = first_beyond(s->value[a], s->n, p->lo[a] - away, p->hi[a] + away);
+        if (first < s->n) return refuse_outside(s, p, a, first, why);
     }
     return STATUS_OK;
 }

@@ -94,6 +94,8 @@ static void planted_faults_fail_a_row(void **state) {
                  {"node mean 0.2 last-step", "smooth/clock", 1},
                  {"cell point 0.2 last-step", "smooth/clock", 1},
                  {"cell mean 0.3 floor", "smooth/clock/2", 1},
+                 {"cell mean 0.25 step-fewer", "plane/clock", 1},
+                 {"node mean 0.2 step-more", "plane/clock", 1},
                  {"cell mean 0.25 conductivity", "[sw]*[gd]", 1},
                  {"node mean 0.45 conductivity", "walls/*", 2},
                  {"cell mean 0.25 capacity", "contact/[rws]*", 3},

@@ -54,7 +54,7 @@ static void faults_are_named_with_their_size(void **state) {
     } rows[] = {
         {"rod-gauss", 0.15, {FAULT_CLOCK, 0}, -1, -1, "early"},
         {"rod-step", 0.025, {FAULT_CLOCK, 0}, 20, 20, "late"},
-        {"rod-step", 0.025, {FAULT_CONDUCTIVITY, 0}, 0.021, 2.1, "conductivity"},
+        {"rod-step", 0.025, {FAULT_CONDUCTIVITY, 0}, 0.021, 2.1, "k/rho c"},
         {"rod-step", 0.025, {FAULT_START_SHIFT, 0}, 0.5, 0.5, "too far up along x"},
         {"rod-step", 0.025, {FAULT_START_WIDTH, 0}, -0.5, -0.5, "further in"},
         {"rod-contact", 0.01, {FAULT_INTERFACE, 0}, 0.5, 0.5, "interface"},
@@ -87,7 +87,7 @@ static void faults_are_named_with_their_size(void **state) {
         {"square-step", 0.05, {FAULT_AXIS, 1}, 0.6, 60, "k_y were"},
         {"rod-contact", 0.01, {FAULT_RHO_C, 1}, 0.5, 50, "rho c of the second material were"},
         {"rect-manufactured", 0.025, {FAULT_SOURCE, 0}, 0.1, 10, "source were"},
-        {"rod-step", 0.025, {FAULT_CONDUCTIVITY, 0}, 1.04, 104, "conductivity were 104 %"},
+        {"rod-step", 0.025, {FAULT_CONDUCTIVITY, 0}, 1.04, 104, "k/rho c, were 104 %"},
         {"wall-composite", 0.01, {FAULT_EXTENT, 0}, 0.5, 0.5, "sides across x were"},
         {"wall-composite", 0.01, {FAULT_INTERFACE, 0}, -0.5, -0.5, "too far down"},
         {"rod-contact", 0.01, {FAULT_RHO_C, 0}, 0.1, 10, "rho c of the first material were"},
@@ -335,8 +335,13 @@ static void sizes_follow_the_spacing(void **state) {
         double units[2], says[2]; /* at dx and 2 dx */
         const char *what;         /* "no ..." where none is named */
     } rows[] = {
-        {"rod-cosine", 0.025, {FAULT_CONDUCTIVITY, 0}, {0.02, 0.02}, {0, 0}, "as if the conductivity were"},
-        {"rod-cooling", 0.01, {FAULT_CLOCK, 0}, {13, 3.25}, {1, 0}, " s late"},
+        {"rod-cosine",
+         0.025,
+         {FAULT_CONDUCTIVITY, 0},
+         {0.02, 0.02},
+         {0, 0},
+         "as if the diffusivity, k/rho c, or the end time were"},
+        {"rod-cooling", 0.01, {FAULT_CLOCK, 0}, {13, 3.25}, {1, 0}, "% too small, or the end time "},
         {"rod-gauss",
          0.15,
          {FAULT_CLOCK, 0},

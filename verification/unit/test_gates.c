@@ -293,6 +293,8 @@ static void failing_gates_are_diagnosed(void **state) {
     assert_int_equal(refused.found.fault.kind, FAULT_UNSTABLE);
     measures_fail(&refused, &(struct failure){.status = STATUS_NUMERICAL, .text = "status 1"});
     assert_false(refused.found.named);
+    measures_fail(&refused, &(struct failure){STATUS_NUMERICAL, "; with x and z exchanged all points are inside"});
+    assert_has(refused.found.what, "x and z were swapped");
     gates_diagnose(&g);
     assert_string_equal(g.diagnosis, "as if k_x and k_y were in each other's place (2 of 2 rows that do not pass)");
     result[1].gate =

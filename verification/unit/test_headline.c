@@ -271,6 +271,11 @@ static void rows_that_pass_decide(void **state) {
     headline_print(&h, "", text);
     assert_has(text, "perhaps the run is unstable, up to 5e+03 K");
     assert_int_equal(h.votes, 2);
+    struct diagnosis exchanged[2]; /* points outside the body */
+    for (int k = 0; k < 2; k++) diagnosis_exchanged(1, &exchanged[k]);
+    h = headline_choose(exchanged, 2, NULL, NULL);
+    headline_print(&h, "", text);
+    assert_string_equal(text, "as if y and z were swapped (2 of 2 rows that do not pass)");
     h = headline_choose(found, 0, NULL, NULL);
     headline_print(&h, "", text);
     assert_string_equal(text, "");

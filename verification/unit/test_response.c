@@ -323,6 +323,30 @@ static void a_cell_at_the_melting_point_passes_heat_unless_locked(void **state) 
     field_free(&locked);
 }
 
+/* Faces left out in the cell of a corner change T there most, and at the opposite corner least. */
+static void faces_at_corners_are_left_out(void **state) {
+    (void)state;
+    struct problem p;
+    struct failure why;
+    struct field f;
+    double dx = 0.005;
+    scene_defaults(scene_find("plate"), &p);
+    if (scene_find("plate")->setup(&p, &why)) fail_msg("%s", why.text);
+    p.t_end /= 10;
+    const int n[] = {(int)lround((p.hi[0] - p.lo[0]) / dx), (int)lround((p.hi[1] - p.lo[1]) / dx), 1};
+    field_alloc_lattice(&f, 2, n, NULL);
+    for (int a = 0; a < 2; a++)
+        for (int i = 0; i < n[a]; i++) f.x[a][i] = p.lo[a] + (i + 0.5) * dx;
+    for (int corner = 0; corner < BESIDE_ALL; corner++) {
+        const int x = corner % 2 * (n[0] - 1), y = corner / 2 * (n[1] - 1);
+        const double *there = &f.T[x + n[0] * y], *opposite = &f.T[n[0] - 1 - x + n[0] * (n[1] - 1 - y)];
+        assert_int_equal(response_on_cells(&p, dx, (struct fault){FAULT_BESIDE, corner}, &f, f.T), 0);
+        for (size_t i = 0; i < f.n; i++) assert_order(fabs(f.T[i]), <=, fabs(*there));
+        assert_order(fabs(*opposite), <, 1e-3 * fabs(*there));
+    }
+    field_free(&f);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -334,6 +358,7 @@ int main(void) {
         cmocka_unit_test(materials_that_meet_across_y_differ),
         cmocka_unit_test(a_cell_that_melts_has_the_temperature_of_its_heat),
         cmocka_unit_test(a_cell_at_the_melting_point_passes_heat_unless_locked),
+        cmocka_unit_test(faces_at_corners_are_left_out),
     };
     return cmocka_run_group_tests_name("response", tests, NULL, NULL);
 }
