@@ -3,6 +3,7 @@
  * what they share. */
 #include "verification/gates/gates.h"
 
+#include "solver/words.h"
 #include "verification/fault/headline.h"
 #include "verification/case/command.h"
 
@@ -102,7 +103,7 @@ static int is_steady(const struct problem *p, double aspect) {
 }
 
 /* Classes of problems first: what a code has a branch for. */
-enum { CLASSES = 9, OBLONG = 11 };
+enum { LAW = 3, CLASSES = 9, OBLONG = 11 };
 static const struct {
     int (*has)(const struct problem *p, double aspect);
     const char *in, *all; /* "in space"; "all rows that do not pass ..." */
@@ -328,6 +329,8 @@ void gates_diagnose(struct gates *g) {
         struct headline h = headline_choose(found, failing, contradict, &rows);
         if (h.fault.fault.kind == FAULT_UNSTABLE)
             h.is_firm = all_overflow(g, &h) || (h.is_firm && 2 * h.votes >= failing);
+        if (h.fault.fault.kind == FAULT_UNSTABLE && rows.shared & 1u << LAW)
+            words_add(h.fault.what, sizeof h.fault.what, ", or k(T) < 0");
         if (rows.shared & 1u << OBLONG && passing(&rows, 1u << OBLONG, 0))
             print_widths(&rows, g->diagnosis, sizeof g->diagnosis);
         else
