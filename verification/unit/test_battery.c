@@ -164,8 +164,7 @@ static void faults_hidden_in_one_field_are_diagnosed(void **state) {
     (void)state;
     static const char *const code[] = {"race", "single", "conductivity", "last-step"},
                              *const rows[] = {"whole/repeat", "contact/steady", "smooth/clock", "smooth/clock"},
-                             *const says[] = {"from run to run", "rounded to 7 digits",
-                                              "conductivity were 1 % too large",
+                             *const says[] = {"from run to run", "rounded to 7 digits", "end time were 1 % too large",
                                               "stopped late, after the first whole step past t_end"};
     struct program program = {.label = "mine"};
     struct command r;

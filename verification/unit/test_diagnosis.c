@@ -60,7 +60,6 @@ static void faults_are_named_with_their_size(void **state) {
         {"rod-contact", 0.01, {FAULT_INTERFACE, 0}, 0.5, 0.5, "interface"},
         {"rod-contact", 0.01, {FAULT_CAPACITY, 0}, 1, 100, "rho c"},
         {"rect-manufactured", 0.025, {FAULT_CAPACITY_LOST, 0}, 1, 100, "lost: taken for 1"},
-        {"rod-contact", 0.01, {FAULT_CAPACITY_LOST, 0}, 1, 100, "lost: taken for 1"},
         {"rod-contact", 0.01, {FAULT_WALL, 0}, -1, -100, "side x_lo holds were lost"},
         {"square-step", 0.05, {FAULT_SWAP, 0}, 1, 100, "each other"},
         {"rect-manufactured", 0.025, {FAULT_SOURCE, 0}, -1, -100, "source were lost"},
