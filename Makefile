@@ -406,6 +406,8 @@ faults: $(BUILD)/heatladder ## Seed faults in the examples; the battery must see
 # False positives of cppcheck 2.10: tables that a NULL ends, and arguments that a call fills.
 CPPCHECK := --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr -I. \
             $(addprefix --suppress=,arrayIndexOutOfBounds arrayIndexThenCheck ctuuninitvar uninitvar)
+PYTHON_FILES = $(wildcard reports/bench/*.py verification/examples/*.py scripts/python/*.py scripts/python/*/*.py) \
+	scripts/codes scripts/league
 SHELL_FILES = $(shell grep -lE '^\#!/bin/(ba)?sh' .ci/* $$(find scripts verification/examples -type f))
 
 lint: $(OBJECTS) ## Check includes, symbols, words, seeded faults, the format, scripts and (by cppcheck) common faults
@@ -420,6 +422,8 @@ lint: $(OBJECTS) ## Check includes, symbols, words, seeded faults, the format, s
 	*) echo "lint: clang-format 14 is not here: format not checked";; esac
 	$(Q)if command -v shellcheck >/dev/null; then shellcheck -S warning $(SHELL_FILES); \
 	else echo "lint: shellcheck is not here: scripts not checked"; fi
+	$(Q)if command -v pyflakes3 >/dev/null; then pyflakes3 $(PYTHON_FILES); \
+	else echo "lint: pyflakes3 is not here: Python not checked"; fi
 	$(Q)if command -v cppcheck >/dev/null; then \
 	cppcheck -j 2 $(CPPCHECK) $(filter-out solver/sweep/lanes%,$(SOURCES)); \
 	else echo "lint: cppcheck is not here: common faults not checked"; fi
