@@ -209,7 +209,7 @@ static const struct option own[] = {
     {"", .about = "Output:"},
     {"verbose", NULL, "list every gate with its details, name each skipped row, diagnose every ladder; also -v",
      option_flag, PLACE(verbose)},
-    {"page", "FILE", "write the verdict and its table as an HTML page, and the ladders as FILE.csv", option_text,
+    {"page", "FILE", "write the verdict and its table as an HTML page; beside it the ladders as CSV", option_text,
      PLACE(page_path)},
     {"junit", "FILE", "write the verdicts as JUnit XML", option_text, PLACE(junit_path)},
     CSV_OPTION(PLACE(csv_path), "the verdicts"),

@@ -124,8 +124,8 @@ static const struct {
 enum { FEATURES = sizeof features / sizeof *features };
 
 struct row {
-    unsigned has; /* 1 << feature; 0: unknown */
-    int fails, passes;
+    unsigned has;                   /* 1 << feature; 0: unknown */
+    int fails, passes, is_measured; /* is_measured: its program has given answers */
     const struct gate *gate;
     double dt; /* s, of the finest rung; 0: unknown */
 };
@@ -229,10 +229,10 @@ static int common_side(const struct diagnosis *found, int failing) {
     return -1;
 }
 
-/* "detects ..." of the first row that fails; NULL: it has no such text. */
+/* "detects ..." of the first row that fails on its answers; NULL: it has no such text. */
 static const char *detected_alone(const struct rows *rows) {
     int i = 0;
-    while (i < rows->n && !rows->row[i].fails) i++;
+    while (i < rows->n && !(rows->row[i].fails && rows->row[i].is_measured)) i++;
     const char *why = i < rows->n ? rows->row[i].gate->why : NULL;
     return why && strncmp(why, "detects ", 8) == 0 ? why : NULL;
 }
@@ -315,6 +315,7 @@ void gates_diagnose(struct gates *g) {
         *row = (struct row){.has = features_of(&g->result[i].gate),
                             .fails = is_open(&g->result[i].measured),
                             .passes = gates_holds(&g->result[i]),
+                            .is_measured = isfinite(g->result[i].measured.value),
                             .gate = &g->result[i].gate,
                             .dt = g->result[i].measured.dt};
         if (row->fails) rows.shared &= row->has;

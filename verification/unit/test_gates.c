@@ -332,6 +332,9 @@ static void rows_without_a_name_say_what_they_share(void **state) {
     result[1].measured.verdict = VERDICT_PASS;
     gates_diagnose(&g);
     assert_string_equal(g.diagnosis, "one row alone does not pass: it detects a face lost");
+    result[0].measured.value = NAN; /* the program gave no answer */
+    gates_diagnose(&g);
+    assert_string_equal(g.diagnosis, "all rows that do not pass (1) have k_xy beside held walls");
 }
 
 /* Two rows of five with k_xy fail: among 65 rows that is no chance, 1 of 208; among 25 it is 1 of 30. */
