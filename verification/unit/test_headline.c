@@ -133,6 +133,38 @@ static void rows_join_whole_steps(void **state) {
     }
 }
 
+/* Where T depends on k t/rho c alone, k, rho c and the end time are named together; a Robin wall, a source and given
+ * fluxes leave rho c and the end time. */
+static void faults_of_one_effect_are_named_together(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene[2];
+        double dx[2];
+        enum fault_kind kind;
+        unsigned paces;
+        const char *says;
+    } rows[] = {{{"rod-gauss", "rod-cosine"},
+                 {0.15, 0.025},
+                 FAULT_CONDUCTIVITY,
+                 PACE_CONDUCTIVITY | PACE_CAPACITY | PACE_END,
+                 "as if the diffusivity, k/rho c, or the end time were "},
+                {{"rod-cooling", "rect-manufactured"},
+                 {0.005, 0.05},
+                 FAULT_HEAT_CAPACITY,
+                 PACE_CAPACITY | PACE_END,
+                 "% too small"}};
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        struct diagnosis found[2];
+        for (int i = 0; i < 2; i++)
+            found[i] = shown(rows[k].scene[i], (struct fault){rows[k].kind, 0}, 0.05, rows[k].dx[i]);
+        struct headline h = headline_choose(found, 2, NULL, NULL);
+        print_message("%s, %d votes\n", h.fault.what, h.votes);
+        assert_int_equal(h.fault.paces, rows[k].paces);
+        assert_has(h.fault.what, rows[k].says);
+        for (int i = 0; i < 2; i++) free(found[i].evidence);
+    }
+}
+
 /* Two faults in three rows: neither is firm. */
 static void rows_that_disagree_name_nothing_firmly(void **state) {
     (void)state;
@@ -305,6 +337,7 @@ int main(void) {
         cmocka_unit_test(sentences_end_with_the_share),
         cmocka_unit_test(one_fault_explains_all_rows),
         cmocka_unit_test(rows_join_whole_steps),
+        cmocka_unit_test(faults_of_one_effect_are_named_together),
         cmocka_unit_test(rows_that_disagree_name_nothing_firmly),
         cmocka_unit_test(rows_that_pass_decide),
         cmocka_unit_test(a_fault_of_all_rows_is_better_than_one_of_a_class),
