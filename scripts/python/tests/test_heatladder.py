@@ -215,7 +215,7 @@ def test_verify_holds_a_right_code_in_this_process(mine):
 def test_verify_names_the_fault_of_a_wrong_code(mine):
     verdict = heatladder.verify(mine.wrong, "--only", "walls/insulated", quiet=True)
     assert verdict.status == 1
-    assert "conductivity" in verdict.gates[0]["diagnosis"]
+    assert "the diffusivity, k/rho c" in verdict.gates[0]["diagnosis"]
 
 
 def test_a_code_that_raises_is_a_failure_and_does_not_hang(mine):
@@ -239,7 +239,7 @@ def test_pytest_has_a_test_for_each_row(mine):
 def test_pytest_shows_the_diagnosis_of_a_row_that_fails(mine):
     run = plugin("--heatladder", "mine:wrong", "--heatladder-options", "--only walls/insulated")
     assert run.returncode == 1, run.stdout
-    assert "as if the conductivity" in run.stdout
+    assert "as if the diffusivity" in run.stdout
 
 
 def test_pytest_skips_what_the_code_is_not_for(mine):
