@@ -133,7 +133,7 @@ static void rows_join_whole_steps(void **state) {
     }
 }
 
-/* Where T depends on k t/rho c alone, k, rho c and the end time are named together; a Robin wall, a source and given
+/* k, rho c and the end time are named together if T depends on k t/rho c alone; a Robin wall, a source and given
  * fluxes leave rho c and the end time. */
 static void faults_of_one_effect_are_named_together(void **state) {
     (void)state;
