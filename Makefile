@@ -387,7 +387,7 @@ codes: $(BUILD)/heatladder ## Judge the public codes that are installed (PEERS, 
 
 league: $(BUILD)/heatladder ## Time public codes (make setup-peers): error against seconds, beside ours
 	@mkdir -p $(OUT)/league
-	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES) $(TIMED)
+	+$(Q)$(MAKE) -s --no-print-directory $(JUDGED) $(TIMED)
 	$(Q)scripts/league $(BUILD)/heatladder $(BUILD) $(OUT)/league
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(OUT)/league/league*.csv; do \
 	scripts/plot $(OUT)/league reports/bench/league.gp $$data; done; \

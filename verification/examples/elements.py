@@ -12,6 +12,7 @@ import logging
 import os
 import subprocess
 import sys
+import time
 
 import numpy as np
 import ufl
@@ -108,6 +109,7 @@ steps = int(np.ceil(8 * t_end * fastest))
 dt = t_end / steps
 problem = petsc.LinearProblem(left, right, walls, T, DIRECT)
 old = T.x.array.copy()
+began = time.perf_counter()
 for step in range(steps):
     older, old = old, T.x.array.copy()
     if step == 0:  # Euler's: dT/dt = (T - old) / dt
@@ -115,6 +117,7 @@ for step in range(steps):
     else:  # dT/dt = (1.5 T - 2 old + 0.5 older) / dt
         rate.value, known.x.array[:] = 1.5 / dt, (2 * old - older / 2) / dt
     problem.solve()
+seconds = time.perf_counter() - began
 
 np.savetxt(sys.argv[2], np.column_stack([places(nodes), T.x.array]), "%.17g", ",", comments="",
-           header=f"# steps = {steps}\n" + ",".join(["x", "y"][:dim] + ["T"]))
+           header=f"# steps = {steps}\n# seconds = {seconds}\n" + ",".join(["x", "y"][:dim] + ["T"]))

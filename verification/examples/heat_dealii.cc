@@ -2,6 +2,7 @@
 // heat_dealii CASE OUT: deal.II, Q1 elements, theta = 1/2; matrices, walls and solver (CG, SSOR) as in its step-26.
 //     (rho_c dT/dt, v) + (k grad T, grad v) + <b T, v> = (source, v) + <flux or b T_air, v>,   T given on held walls
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/timer.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
@@ -129,6 +130,7 @@ template <int dim> void solve() {
     double t_end = list_of(words["t_end"])[0];
     int steps = words.count("dt") ? std::round(t_end / list_of(words["dt"])[0]) : std::ceil(2 * t_end * fastest);
     double dt = t_end / steps;
+    Timer solve; // starts
     for (int step = 0; step < steps; step++) {
         mass.vmult(right, T);
         stiffness.vmult(part, T);
@@ -139,6 +141,7 @@ template <int dim> void solve() {
         invert();
     }
     std::ofstream answer(out);
+    answer << "# seconds = " << solve.wall_time() << "\n# steps = " << steps << '\n';
     answer << std::string("x,y,z").substr(0, 2 * dim - 1) << ",T" << std::setprecision(17);
     for (unsigned i = 0; i < nodes.size(); i++)
         for (int d = 0; d <= dim; d++) answer << (d ? ',' : '\n') << (d < dim ? nodes[i][d] : T(i));
