@@ -17,8 +17,9 @@ pkg load bim
 for pair = regexp(fileread(file), '([^\n]+?) = ([^\n]*)', 'tokens')
     c.(pair{1}{1}) = pair{1}{2};
 end
-if any(ismember({'changing', 'periodic'}, struct2cell(c))) || any(isfield(c, {'shape', 'k_law', 'contact_resistance'})) ...
-        || strcmp(c.dim, '3') || isfield(c, 'k_y') && ! strcmp(c.k_x, c.k_y)
+lacks = {'shape', 'k_law', 'contact_resistance', 'conductivity'};
+if any(ismember({'changing', 'periodic'}, struct2cell(c))) || any(isfield(c, lacks)) || strcmp(c.dim, '3') ...
+        || isfield(c, 'k_y') && ! strcmp(c.k_x, c.k_y)
     exit(77);
 end
 for key = {'dim', 'lo', 'hi', 'cells', 't_end'}

@@ -4,7 +4,7 @@ suppressPackageStartupMessages(library(deSolve))
 args <- commandArgs(trailingOnly = TRUE)
 pairs <- strsplit(readLines(args[1]), " = ", fixed = TRUE)
 case <- setNames(lapply(pairs, function(p) p[2]), sapply(pairs, function(p) p[1]))
-if (case$dim == "3" || any(c("shape", "k_law", "contact_resistance") %in% names(case)) ||
+if (case$dim == "3" || any(c("shape", "k_law", "k_xy", "conductivity", "contact_resistance") %in% names(case)) ||
     any(c("periodic", "changing") %in% unlist(case)))
     quit(status = 77) # rods and rectangles with walls, and data that stay
 numbers <- function(key) as.numeric(strsplit(case[[key]], ",")[[1]])
