@@ -59,3 +59,12 @@ find_python() { # module: else the test is skipped
     expect 1 'cubes: not in scripts/peers.txt, which has c fortran' python3 "$tree/scripts/codes" "$program" build out cubes
     expect 2 "'cubes' is none of: awk .* voro" "$tree/scripts/setup-peers" cubes
 }
+
+@test "lint_examples finds a slip in each language" {
+    local suffix
+    for suffix in awk c cc edp f90 js m R; do echo ')' >"slip.$suffix"; done
+    expect 1 slip.awk: "$tree/scripts/lint_examples" "$PWD"
+    for suffix in awk c cc edp f90 js m R; do
+        grep -q "^lint: .*/slip.$suffix:\|: \*.$suffix not checked" <<<"$output" || { echo "no slip.$suffix"; return 1; }
+    done
+}

@@ -13,7 +13,7 @@ function stop(reason) {
     exit 1
 }
 
-function read_case(path,    line, equals, found) {
+function read_case(path,    line, equals, found, d) {
     while ((found = (getline line < path)) > 0) {
         equals = index(line, " = ")
         field[substr(line, 1, equals - 1)] = substr(line, equals + 3)
@@ -64,7 +64,7 @@ function question(path, times, what) {
         " --points '" path "' --time " times " --what " what
 }
 
-function ask_scene(path,    command, c, line, word, first, d) {
+function ask_scene(path,    command, what, c, line, word, first, d) {
     what = "initial_mean,source,rho_c,k_x,wall_x" (dim == 2 ? ",k_y,wall_y" : "")
     command = question(path, "0", what)
     command | getline line

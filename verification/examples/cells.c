@@ -21,6 +21,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { HELD = 1, FLUX = 2, COOLED = 3 }; /* the kinds of walls in the answers of `reference` */
 enum { NOT_APPLICABLE = 77 };
@@ -428,10 +429,10 @@ static void run(const char *path, const char *frame, int steps) {
     if (walls) pclose(walls);
 }
 
-static void write_answer(const char *path, int steps) {
+static void write_answer(const char *path, int steps, double seconds) {
     FILE *f = need(fopen(path, "w"), "the answer cannot be written");
     static const char *const header[] = {"", "x,T", "x,y,T", "x,y,z,T"};
-    fprintf(f, "# steps = %d\n%s\n", steps, header[dim]);
+    fprintf(f, "# steps = %d\n# seconds = %g\n%s\n", steps, seconds, header[dim]);
     for (struct point *p = point; p < point + points; p++) {
         if (!is_cell((int)(p - point))) continue;
         for (int d = 0; d < dim; d++) fprintf(f, "%.17g,", p->x[d]);
@@ -454,7 +455,8 @@ int main(int argc, char **argv) {
         for (struct point *p = point; p < point + points; p++) p->heat = heat_at(p->T);
     int steps = (int)ceil(t_end * make_faces() / 0.25); /* half of what is stable */
     if (dt_asked > 0) steps = (int)ceil(t_end / dt_asked - 1e-9);
+    clock_t begun = clock();
     run(path, frame, steps);
-    write_answer(argv[2], steps);
+    write_answer(argv[2], steps, (double)(clock() - begun) / CLOCKS_PER_SEC);
     return 0;
 }

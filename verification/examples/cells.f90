@@ -15,7 +15,7 @@ program cells
     integer :: dim = 1, n(2) = 1, steps, step, unit
     integer :: first_row, last_row ! of points along y: a rod is one row without a frame
     logical :: changing = .false., tensor = .false.
-    real(dp) :: lo(2) = 0, hi(2) = 1, width(2), t_end
+    real(dp) :: lo(2) = 0, hi(2) = 1, width(2), t_end, begun, ended
     ! Points (0:n(1) + 1, 0:n(2) + 1): cells from 1 to n, in a frame of the centres of the faces on
     ! the sides.
     real(dp), allocatable :: x(:, :, :), T(:, :), source(:, :), rho_c(:, :), k_xy(:, :)
@@ -173,11 +173,13 @@ contains
         dt = t_end/steps
         write (times, '(a, es23.17, a, i0)') '0:', t_end, ':', steps + 1
         if (changing) call ask(trim(times), 'source')
+        call cpu_time(begun)
         do step = 1, steps
             if (changing) &
                 read (unit, *) ((now, place, source(i, j), i=0, n(1) + 1), j=first_row, last_row)
             call step_by(dt)
         end do
+        call cpu_time(ended)
         if (changing) close (unit)
     end subroutine
 
@@ -224,6 +226,7 @@ contains
         integer :: i, j
         open (newunit=unit, file=answer_file)
         write (unit, '(a, i0)') '# steps = ', steps
+        write (unit, '(a, es9.3)') '# seconds = ', ended - begun
         if (dim == 1) write (unit, '(a)') 'x T'
         if (dim == 2) write (unit, '(a)') 'x y T'
         do j = 1, n(2)

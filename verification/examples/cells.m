@@ -124,6 +124,7 @@ if changing
     answers = ask(field.oracle, [args{2} '.points'], times, 'source', dim + 2);
     sources = reshape(answers(:, end), prod(shape), []);
 end
+begun = cputime;
 for step = 1:steps
     if changing
         source = reshape(sources(:, step), shape)(in_x, in_y);
@@ -134,9 +135,10 @@ for step = 1:steps
     end
     T(in_x, in_y) += dt * rate ./ rho_c;
 end
+seconds = cputime - begun;
 
 is_cell = false(shape);
 is_cell(in_x, in_y) = true;
 header = {'x,T', 'x,y,T'}{dim};
-header = sprintf('# steps = %d\n%s', steps, header);
+header = sprintf('# steps = %d\n# seconds = %g\n%s', steps, seconds, header);
 write_rows(args{2}, header, [points(is_cell(:), :), T(is_cell)]);

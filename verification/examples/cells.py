@@ -12,6 +12,7 @@ import math
 import os
 import subprocess
 import sys
+import time
 
 PERIODIC, FLUX, COOLED = 0, 2, 3  # kinds of sides in the answers of `reference`; 1: held
 
@@ -192,6 +193,7 @@ if moving:
     frame = Reference(case["oracle"], sys.argv[2] + ".frame", [points[e] for e, d, c in beside], width)
     walls = frame.ask(times, "wall_x" + (",wall_y" if dim == 2 else ""))
 heat = [heat_at(value) for value in T] if melts else []
+begun = time.process_time()
 for step in range(steps):
     if changing:
         source = sources[step * len(points):(step + 1) * len(points)]
@@ -206,9 +208,10 @@ for step in range(steps):
             T[c] = temperature_at(heat[c])
         else:
             T[c] += dt * r / rho_c[c]
+seconds = time.process_time() - begun
 
 with open(sys.argv[2], "w") as f:
-    print("# steps =", steps, file=f)
+    print("# steps =", steps, "\n# seconds =", seconds, file=f)
     print(*["x", "y", "z"][:dim], "T", sep=",", file=f)
     for c in cells:
         print(*points[c], T[c], sep=",", file=f)

@@ -8,7 +8,6 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -28,11 +27,10 @@ static Values list_of(const std::string &text) {
 template <int dim>
 std::vector<Values> ask(const std::vector<Point<dim>> &points, const Tensor<1, dim> &width, const std::string &what) {
     std::ofstream file(out + ".points");
-    file << std::string("x,y,z").substr(0, 2 * dim - 1) << std::string(",dx,dy,dz").substr(0, 3 * dim);
+    file << std::string("x y z").substr(0, 2 * dim - 1) << std::string(" dx dy dz").substr(0, 3 * dim) << '\n';
     file << std::setprecision(17);
-    for (auto &p : points)
-        for (int d = 0; d < 2 * dim; d++) file << (d ? ',' : '\n') << (d < dim ? p[d] : width[d - dim]);
-    file << std::endl;
+    for (auto &p : points) file << p << ' ' << width << '\n';
+    file.close();
     auto question = getenv("HEATLADDER") + (" reference " + words["oracle"]) + " --time 0 --points '" + out +
                     ".points' --what " + what + " >'" + out + ".data'";
     AssertThrow(std::system(question.c_str()) == 0, ExcMessage(question));
@@ -59,10 +57,9 @@ template <int dim> void solve() {
     FE_Q<dim> fe(1);
     DoFHandler<dim> dofs(grid);
     dofs.distribute_dofs(fe);
-    DynamicSparsityPattern entries(dofs.n_dofs());
-    DoFTools::make_sparsity_pattern(dofs, entries);
-    SparsityPattern pattern;
-    pattern.copy_from(entries);
+    SparsityPattern pattern(dofs.n_dofs(), dofs.max_couplings_between_dofs());
+    DoFTools::make_sparsity_pattern(dofs, pattern);
+    pattern.compress();
     SparseMatrix<double> mass(pattern), stiffness(pattern), matrix(pattern);
     Vector<double> T(dofs.n_dofs()), heat(dofs.n_dofs()), right(dofs.n_dofs()), part(dofs.n_dofs());
 
@@ -88,7 +85,11 @@ template <int dim> void solve() {
     for (auto &cell : dofs.active_cell_iterators()) {
         const auto &data = body[c];
         double mean = data[0], source = data[1], rho_c = data[2], rate = 0;
-        for (int d = 0; d < dim; d++) rate += data[3 + d] / rho_c / (width[d] * width[d]);
+        Tensor<2, dim> k;
+        for (int d = 0; d < dim; d++) {
+            k[d][d] = data[3 + d];
+            rate += k[d][d] / rho_c / (width[d] * width[d]);
+        }
         fastest = std::max(fastest, rate);
         in.reinit(cell);
         cell->get_dof_indices(node);
@@ -97,10 +98,8 @@ template <int dim> void solve() {
                 heat(node[i]) += source * in.shape_value(i, q) * in.JxW(q);
                 right(node[i]) += rho_c * mean * in.shape_value(i, q) * in.JxW(q);
                 for (auto j : in.dof_indices()) {
-                    double k = 0;
-                    for (int d = 0; d < dim; d++) k += data[3 + d] * in.shape_grad(i, q)[d] * in.shape_grad(j, q)[d];
                     mass.add(node[i], node[j], rho_c * in.shape_value(i, q) * in.shape_value(j, q) * in.JxW(q));
-                    stiffness.add(node[i], node[j], k * in.JxW(q));
+                    stiffness.add(node[i], node[j], in.shape_grad(i, q) * k * in.shape_grad(j, q) * in.JxW(q));
                 }
             }
         for (auto f : cell->face_indices()) {
@@ -142,10 +141,8 @@ template <int dim> void solve() {
     }
     std::ofstream answer(out);
     answer << "# seconds = " << solve.wall_time() << "\n# steps = " << steps << '\n';
-    answer << std::string("x,y,z").substr(0, 2 * dim - 1) << ",T" << std::setprecision(17);
-    for (unsigned i = 0; i < nodes.size(); i++)
-        for (int d = 0; d <= dim; d++) answer << (d ? ',' : '\n') << (d < dim ? nodes[i][d] : T(i));
-    answer << std::endl;
+    answer << std::string("x y z").substr(0, 2 * dim - 1) << " T\n" << std::setprecision(17);
+    for (unsigned i = 0; i < nodes.size(); i++) answer << nodes[i] << ' ' << T(i) << '\n';
 }
 
 int main(int, char **arguments) {

@@ -118,7 +118,10 @@ for program in "blockMesh", "laplacianFoam":
 with open(os.path.join(folder, str(steps), "T")) as f:
     text = f.read()
 T = text[text.index("internalField"):].split("(", 1)[1].split(")", 1)[0].split()
+with open(os.path.join(folder, "log")) as f:  # the first step also reads the mesh
+    times = [float(line.split()[2]) for line in f if line.startswith("ExecutionTime")]
 with open(sys.argv[2], "w") as out:
+    print("# seconds =", times[-1] - times[0], file=out)
     print("x,T" if dim == 1 else "x,y,T", file=out)
     for point, value in zip(cells, T):
         print(*point[:dim], value, sep=",", file=out)
