@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """neighbour_times.py CELL_LISTS [N]: neighbours of N^3 jittered particles in a cube (a million), within 2.2 spacings.
 
 The cell lists of this code (the program CELL_LISTS), SciPy's cKDTree.query_pairs and PySPH's LinkedListNNPS, on one

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """pysph_operators.py HEATLADDER: PySPH's operators of diffusion beside those of this code, on the same clouds.
 
 One wave of a periodic square decays for 0.5 s, RK2, mesh Fourier number 0.1, one thread, n = 16, 32, 64 particles

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """scipy_dst.py CASE OUT: SciPy's sine transform on square-step and cube-step.
 
 The central difference with T = 0 on the sides is diagonal in sines, so that there is no error in time.

@@ -60,6 +60,20 @@ find_python() { # module: else the test is skipped
     expect 2 "'cubes' is none of: awk .* voro" "$tree/scripts/setup-peers" cubes
 }
 
+@test "setup-peers states sizes first, and goes on where a code cannot be installed" {
+    mkdir -p copy/scripts
+    cp "$tree/scripts/setup-peers" "$tree/scripts/interpreter" copy/scripts
+    printf '%s\n' 'bad | Bad | no-such | false | - | -' "good | Good | few | test -e $PWD/few | - | -" >copy/scripts/peers.txt
+    stand_in sudo 'exec "$@"'
+    # shellcheck disable=SC2016 # of the stand-in
+    stand_in apt-get 'case $* in *no-such*) exit 100 ;; *assume-no*few) echo "Need to get 5 kB of archives." ;; *few) >few ;; esac'
+    sed -i "2i cd '$PWD'" bin/apt-get
+    expect 0 '^setup-peers: good: few: 5 kB to load$' copy/scripts/setup-peers
+    [[ $output == *'bad: no-such: no such package here'*' to load'*'bad (no-such) could not be installed; going on'* ]]
+    [[ $output == *$'left out of make codes:\nbad no-such' ]]
+    expect 0 'all are here' copy/scripts/setup-peers good
+}
+
 @test "lint_examples finds a slip in each language" {
     local suffix
     for suffix in awk c cc edp f90 js m R; do echo ')' >"slip.$suffix"; done
