@@ -124,8 +124,8 @@ static const struct {
 enum { FEATURES = sizeof features / sizeof *features };
 
 struct row {
-    unsigned has;                   /* 1 << feature; 0: unknown */
-    int fails, passes, is_measured; /* is_measured: its program has given answers */
+    unsigned has;                /* 1 << feature; 0: unknown */
+    int fails, passes, is_wrong; /* is_wrong: it fails on the answers of its program */
     const struct gate *gate;
     double dt; /* s, of the finest rung; 0: unknown */
 };
@@ -232,7 +232,7 @@ static int common_side(const struct diagnosis *found, int failing) {
 /* "detects ..." of the first row that fails on its answers; NULL: it has no such text. */
 static const char *detected_alone(const struct rows *rows) {
     int i = 0;
-    while (i < rows->n && !(rows->row[i].fails && rows->row[i].is_measured)) i++;
+    while (i < rows->n && !(rows->row[i].is_wrong)) i++;
     const char *why = i < rows->n ? rows->row[i].gate->why : NULL;
     return why && strncmp(why, "detects ", 8) == 0 ? why : NULL;
 }
@@ -261,13 +261,15 @@ static void print_widths(const struct rows *rows, char *text, size_t size) {
              some ? " where fluxes are given" : ", or each for the other");
 }
 
+static const double LEFT = 0.5; /* a cause leaves a row unexplained below this share of its error */
+
 /* The words of a row, given the headline. */
 static void print_left(const struct headline *h, struct measured *m) {
     double share = headline_share(h, &m->found);
     if (!isfinite(share) || !h->fault.named) return;
     if (share > 0.995 && isnan(h->fault.share))
         snprintf(m->diagnosis, sizeof m->diagnosis, "%s", h->fault.what);
-    else if (2 * share > 1)
+    else if (share >= LEFT)
         snprintf(m->diagnosis, sizeof m->diagnosis, "%s%s (%.0f %% of the error)", h->is_firm ? "" : "perhaps ",
                  h->fault.what, 100 * share);
     else if (h->is_firm)
@@ -304,6 +306,20 @@ static int are_of_order_two(const struct gates *g) {
     return n;
 }
 
+/* A second cause: the firm one of at least two rows that a firm first one leaves unexplained. */
+static struct headline second_cause(const struct headline *first, const struct diagnosis *found, int failing,
+                                    const struct rows *rows) {
+    struct diagnosis *rest = xcalloc((size_t)failing, sizeof *rest);
+    struct headline second = {.is_firm = 0};
+    int n = 0;
+    for (int i = 0; i < failing; i++)
+        if (headline_share(first, &found[i]) < LEFT) rest[n++] = found[i];
+    if (first->is_firm && n > 1) second = headline_choose(rest, n, contradict, rows);
+    if (!second.is_firm || second.votes < 2 || second.scope) second.fault.named = 0;
+    free(rest);
+    return second;
+}
+
 void gates_diagnose(struct gates *g) {
     struct diagnosis *found = xcalloc((size_t)g->declared + 1, sizeof *found);
     struct rows rows = {g->declared, xcalloc((size_t)g->declared + 1, sizeof *rows.row), ~0u};
@@ -315,7 +331,8 @@ void gates_diagnose(struct gates *g) {
         *row = (struct row){.has = features_of(&g->result[i].gate),
                             .fails = is_open(&g->result[i].measured),
                             .passes = gates_holds(&g->result[i]),
-                            .is_measured = isfinite(g->result[i].measured.value),
+                            .is_wrong = g->result[i].measured.verdict == VERDICT_FAIL &&
+                                        isfinite(g->result[i].measured.value),
                             .gate = &g->result[i].gate,
                             .dt = g->result[i].measured.dt};
         if (row->fails) rows.shared &= row->has;
@@ -332,13 +349,21 @@ void gates_diagnose(struct gates *g) {
             h.is_firm = all_overflow(g, &h) || (h.is_firm && 2 * h.votes >= failing);
         if (h.fault.fault.kind == FAULT_UNSTABLE && rows.shared & 1u << LAW)
             words_add(h.fault.what, sizeof h.fault.what, ", or k(T) < 0");
-        if (rows.shared & 1u << OBLONG && passing(&rows, 1u << OBLONG, 0))
+        struct headline second = {.is_firm = 0};
+        if (rows.shared & 1u << OBLONG && passing(&rows, 1u << OBLONG, 0)) {
             print_widths(&rows, g->diagnosis, sizeof g->diagnosis);
-        else
+        } else {
             headline_print(&h, class >= 0 ? features[class].in : "", g->diagnosis);
+            second = second_cause(&h, found, failing, &rows);
+        }
+        if (second.fault.named)
+            words_add(g->diagnosis, sizeof g->diagnosis, "; of the others %d: %s", second.votes, second.fault.what);
         if (!*g->diagnosis) print_shared(&rows, found, failing, g->diagnosis, sizeof g->diagnosis);
-        for (int i = 0; i < g->declared; i++)
-            if (rows.row[i].fails) print_left(&h, &g->result[i].measured);
+        for (int i = 0; i < g->declared; i++) {
+            struct measured *m = &g->result[i].measured;
+            const int is_second = headline_share(&second, &m->found) > headline_share(&h, &m->found);
+            if (rows.row[i].fails) print_left(is_second ? &second : &h, m);
+        }
     }
     free(rows.row);
     free(found);

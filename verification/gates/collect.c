@@ -155,6 +155,9 @@ static int none_matches(const struct gates *g, const char *option, const char *g
                       : orders & 1 ? 1
                                    : 4,
                       g->origin);
+    if (!g->origin && orders_of(glob))
+        return refuse(why, STATUS_INPUT, "--%s: '%.60s' is a row of the battery: --solver or --results is missing",
+                      option, glob);
     suggest(g, glob, hint, sizeof hint);
     return refuse(why, STATUS_INPUT, "--%s: no gate matches '%.60s'%s (see: %s%.200s)", option, glob, hint,
                   file ? "" : "heatladder list ",

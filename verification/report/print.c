@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* Characters of a group's counts and groups in a line, without and with counts of skipped rows. */
-enum { NARROW = 8, WIDE = 19, ACROSS = 4, ACROSS_WIDE = 2 };
+enum { NARROW = 11, WIDE = 23, ACROSS = 4, ACROSS_WIDE = 2 };
 
 static void print_all(const struct gates *g) {
     struct table t = table_headed(2, "gate|verdict|expected|measured|error|seconds|what");
@@ -45,11 +45,11 @@ static void print_all(const struct gates *g) {
     table_end(&t, stdout);
 }
 
-/* "10/11!, 1 skipped"; returns 1 if some rows of the group are skipped and others are not. */
+/* "10/11 fail, 1 skipped"; returns 1 if some rows of the group are skipped and others are not. */
 static int count_group(const struct gates_tally *t, char text[WIDE + 1]) {
     int some = t->judged && t->skipped;
     snprintf(text, WIDE + 1, "skipped");
-    if (t->judged) snprintf(text, WIDE + 1, "%3d/%d%s", t->passed, t->judged, t->passed == t->judged ? "" : "!");
+    if (t->judged) snprintf(text, WIDE + 1, "%3d/%d%s", t->passed, t->judged, t->passed == t->judged ? "" : " fail");
     if (some) words_add(text, WIDE + 1, ", %d skipped", t->skipped);
     return some;
 }
@@ -69,7 +69,7 @@ static void print_groups(const struct gates *g) {
         count_group(&t, counts);
         printf("%s%-14.*s %-*s%s", verdict_colour(stdout, word), (int)gates_group_length(id), id,
                wide ? WIDE : NARROW, counts, verdict_colour_end(stdout, word));
-        printf("%s", ++column % (wide ? ACROSS_WIDE : ACROSS) ? "    " : "\n");
+        printf("%s", ++column % (wide ? ACROSS_WIDE : ACROSS) ? "  " : "\n");
     }
     if (column % (wide ? ACROSS_WIDE : ACROSS)) printf("\n");
 }

@@ -105,6 +105,9 @@ static void globs_select_gates(void **state) {
     assert_int_equal(gates_collect("nosuch*", NULL, 0, &g, &why), STATUS_INPUT);
     assert_has(why.text, "--only: no gate matches 'nosuch*' (see: heatladder list gates)");
     gates_free(&g);
+    assert_int_equal(gates_collect("walls/cooled", NULL, 0, &g, &why), STATUS_INPUT);
+    assert_has(why.text, "'walls/cooled' is a row of the battery: --solver or --results is missing");
+    gates_free(&g);
 }
 
 static void skipped_rows_exist(void **state) {

@@ -314,6 +314,26 @@ static void failing_gates_are_diagnosed(void **state) {
     assert_has(g.diagnosis, "k_x and k_y");
 }
 
+/* Rows that the first fault leaves unexplained have one of their own; a single row has not. */
+static void a_second_fault_is_named(void **state) {
+    (void)state;
+    struct gate_result result[5] = {0};
+    struct gates g = {.declared = 5, .executed = 5, .result = result};
+    for (int i = 0; i < 5; i++) {
+        result[i].gate.measure = "error";
+        result[i].measured.verdict = VERDICT_FAIL;
+        result[i].measured.found =
+            (struct diagnosis){.named = 1, .fault = {i < 3 ? FAULT_SWAP : FAULT_DIFFUSIVITY, 0}, .unit = ""};
+    }
+    gates_diagnose(&g);
+    assert_has(g.diagnosis,
+               "as if k_x and k_y were in each other's place (3 of 5 rows that do not pass); of the others 2: ");
+    assert_has(result[4].measured.diagnosis, strstr(g.diagnosis, "others 2: ") + strlen("others 2: "));
+    result[4].measured.verdict = VERDICT_PASS;
+    gates_diagnose(&g);
+    assert_lacks(g.diagnosis, "of the others");
+}
+
 /* Without a fault that has a name: what the rows share, or what a row that is alone detects. */
 static void rows_without_a_name_say_what_they_share(void **state) {
     (void)state;
@@ -332,6 +352,10 @@ static void rows_without_a_name_say_what_they_share(void **state) {
     result[1].measured.verdict = VERDICT_PASS;
     gates_diagnose(&g);
     assert_string_equal(g.diagnosis, "one row alone does not pass: it detects a face lost");
+    result[0].measured.verdict = VERDICT_INCONCLUSIVE;
+    gates_diagnose(&g);
+    assert_lacks(g.diagnosis, "detects");
+    result[0].measured.verdict = VERDICT_FAIL;
     result[0].measured.value = NAN; /* the program gave no answer */
     gates_diagnose(&g);
     assert_string_equal(g.diagnosis, "all rows that do not pass (1) have k_xy beside held walls");
@@ -391,6 +415,7 @@ int main(void) {
         cmocka_unit_test(junit_lists_every_verdict),
         cmocka_unit_test(junit_has_groups_and_interrupts),
         cmocka_unit_test(failing_gates_are_diagnosed),
+        cmocka_unit_test(a_second_fault_is_named),
         cmocka_unit_test(rows_without_a_name_say_what_they_share),
         cmocka_unit_test(a_feature_of_few_rows_is_said),
         cmocka_unit_test(overflow_is_firm_where_no_row_has_another_answer),
