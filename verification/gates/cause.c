@@ -44,6 +44,11 @@ static int has_cross(const struct problem *p, double aspect) {
     return problem_has_cross(p);
 }
 
+static int has_field(const struct problem *p, double aspect) {
+    (void)aspect;
+    return p->direction != NULL;
+}
+
 /* A tensor in the plane, and T that varies beside the middle of a held side by a thousandth of what it does inside.
  */
 static int has_cross_at_wall(const struct problem *p, double aspect) {
@@ -119,6 +124,7 @@ static const struct {
                 {has_robin, "", "have a Robin wall"},
                 {has_source, "", "have a source"},
                 {is_oblong, "", "have cells of two widths"},
+                {has_field, "", "have a conductivity along a field"},
                 {has_cross, "", "have k_xy"},
                 {has_cross_at_wall, "", "have k_xy beside held walls"}};
 enum { FEATURES = sizeof features / sizeof *features };

@@ -338,10 +338,11 @@ static void a_second_fault_is_named(void **state) {
 static void rows_without_a_name_say_what_they_share(void **state) {
     (void)state;
     static const char *const commands[] = {"run aligned mine --set angle=0.75 --dx 0.1", "run aligned mine --dx 0.1",
-                                           "run ring mine --dx 0.1", "run rod-gauss mine --dx 0.1"};
-    struct gate_result result[4] = {0};
-    struct gates g = {.declared = 4, .executed = 4, .result = result};
-    for (int i = 0; i < 4; i++) {
+                                           "run ring mine --dx 0.1", "run rod-gauss mine --dx 0.1",
+                                           "run wave mine --set kappa_xy=0.006 --dx 0.1"};
+    struct gate_result result[5] = {0};
+    struct gates g = {.declared = 5, .executed = 5, .result = result};
+    for (int i = 0; i < 5; i++) {
         result[i].gate =
             (struct gate){.measure = "leak", .command = commands[i], .why = "detects a face lost; bounds: 2"};
         result[i].measured.verdict = i < 2 ? VERDICT_FAIL : VERDICT_PASS;
@@ -359,6 +360,9 @@ static void rows_without_a_name_say_what_they_share(void **state) {
     result[0].measured.value = NAN; /* the program gave no answer */
     gates_diagnose(&g);
     assert_string_equal(g.diagnosis, "all rows that do not pass (1) have k_xy beside held walls");
+    result[2].measured.verdict = VERDICT_FAIL; /* a ring: T of its walls is constant beside them too */
+    gates_diagnose(&g);
+    assert_string_equal(g.diagnosis, "all rows that do not pass (2) have a conductivity along a field");
 }
 
 /* Two rows of five with k_xy fail: among 65 rows that is no chance, 1 of 208; among 25 it is 1 of 30. */
