@@ -42,6 +42,7 @@ struct problem {
     void (*direction)(const struct problem *p, const double *x, double b[DIM_MAX]);
     double k_par, k_perp; /* W m^-1 K^-1 */
     int is_diagonal;      /* 1: K of a field without its cross terms, a fault of a code; ftcs only */
+    int is_even;          /* 1: n.grad T = 0, not n.K grad T = 0, on insulated sides of a tensor; the same */
     enum k_law k_law;
     int k_frozen;                   /* 1: k of the initial temperature at all times, a fault of a code; ftcs only */
     double k_0;                     /* W m^-1 K^-1; times K^-k_n of a power law */

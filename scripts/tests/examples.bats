@@ -14,9 +14,9 @@ find_python() { # module: else the test is skipped
 @test "cells.c" { judge "$examples/cells_c" --only "$cells,plane/changing,driven/*,nonlinear/blast*,melt/*"; }
 
 @test "cells.c along a field, by fluxes at faces and at corners" {
-    judge "$examples/cells_c" --only 'field/aligned,field/walls'
+    judge "$examples/cells_c" --only 'field/aligned,field/walls,field/oblique'
     expect 0 ' 0 failed, 0 inconclusive' heatladder verify --solver "$examples/cells_c {case} {out} corner" \
-        --only 'field/aligned,field/walls'
+        --only 'field/aligned,field/walls,field/oblique'
 }
 
 @test "cells.f90" {
@@ -26,7 +26,7 @@ find_python() { # module: else the test is skipped
 
 @test "cells.py, without walls too, and nodes.py at contacts" {
     find_python subprocess
-    judge "$python $tree/verification/examples/cells.py" --only "$cells,periodic/wave"
+    judge "$python $tree/verification/examples/cells.py" --only "$cells,periodic/wave,field/oblique"
     judge "$python $tree/verification/examples/nodes.py" --only 'contact/rod,contact/plane,contact/steady'
 }
 

@@ -16,14 +16,15 @@
  *     x x x x x
  *
  * They are numbered row by row and layer by layer.  The neighbours of point c along axis d are
- * c - stride[d] and c + stride[d]: stride is 1, the points of a row, and those of a layer. */
+ * c - stride[d] and c + stride[d]: stride is 1, the points of a row, and those of a layer.  Where
+ * periodic sides meet, the neighbour is the cell at the opposite side. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-enum { HELD = 1, FLUX = 2, COOLED = 3 }; /* the kinds of walls in the answers of `reference` */
+enum { PERIODIC, HELD, FLUX, COOLED }; /* the kinds of walls in the answers of `reference` */
 enum { NOT_APPLICABLE = 77 };
 
 struct point {
@@ -51,7 +52,7 @@ static double k_0, k_beta, k_ref, k_n;
 /* k_law = phases: a solid below k_ref, a liquid above, by their enthalpy */
 static int phases;
 static double latent, k_phase[2], rho_c_phase[2]; /* solid, liquid */
-static char conductivity[16]; /* field: K is a tensor that varies */
+static char conductivity[16]; /* K is a tensor if this is not empty */
 
 /* two materials on a rod: the place of their interface, and its resistance, if there is one */
 static double interface, contact_resistance;
@@ -79,6 +80,7 @@ static void *need(void *pointer, const char *reason) {
 /* A line fits one of the formats at most, and changes nothing for the others. */
 static void read_case(const char *path) {
     char line[4096], source[16] = "", walls[16] = "";
+    int periodic = 0;
     FILE *f = need(fopen(path, "r"), "the case cannot be opened");
     while (fgets(line, sizeof line, f)) {
         sscanf(line, "dim = %d", &dim);
@@ -100,12 +102,14 @@ static void read_case(const char *path) {
         sscanf(line, "interface = %lf", &interface);
         sscanf(line, "contact_resistance = %lf", &contact_resistance);
         sscanf(line, "conductivity = %15s", conductivity);
+        sscanf(line, "k_xy = %15s", conductivity);
         sscanf(line, "oracle = %2047[^\n]", oracle);
-        /* This code has rods, rectangles and boxes with walls: no round or periodic bodies. */
+        /* This code has rods, rectangles and boxes with walls: no round bodies, none with periodic sides alone. */
         if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
-        if (strstr(line, "= periodic")) exit(NOT_APPLICABLE);
+        periodic += strstr(line, "= periodic") != NULL;
     }
     fclose(f);
+    if (periodic == 2 * dim) exit(NOT_APPLICABLE);
     source_changes = strcmp(source, "changing") == 0;
     phases = strcmp(k_law, "phases") == 0;
     walls_change = strcmp(walls, "changing") == 0;
@@ -121,6 +125,13 @@ static int is_cell(int c) {
     for (int d = 0; d < dim; d++)
         if (place(c, d) < 1 || place(c, d) > n[d]) return 0;
     return 1;
+}
+
+/* Upwards along axis d for way = 1, downwards for -1. */
+static int neighbour(int c, int d, int way) {
+    int e = c + way * stride[d];
+    int is_side = place(e, d) < 1 || place(e, d) > n[d];
+    return is_side && point[e].axis[d].kind == PERIODIC ? e - way * n[d] * stride[d] : e;
 }
 
 static void make_points(void) {
@@ -279,8 +290,8 @@ static double make_faces(void) {
         if (!is_cell(c)) continue;
         point[c].flux = 0;
         for (int d = 0; d < dim; d++) {
-            make_face(c, 2 * d, c - stride[d]);
-            make_face(c, 2 * d + 1, c + stride[d]);
+            make_face(c, 2 * d, neighbour(c, d, -1));
+            make_face(c, 2 * d + 1, neighbour(c, d, 1));
             speed += point[c].axis[d].k / (width[d] * width[d] * point[c].rho_c);
         }
         fastest = fmax(fastest, speed);
@@ -288,40 +299,52 @@ static double make_faces(void) {
     return fastest;
 }
 
-/* The derivative along d in cell c, K m^-1; beyond a held wall T is 2 T_wall - T. */
-static double slope(int c, int d) {
-    double T[2];
-    for (int side = 0; side < 2; side++) {
-        int e = side ? c + stride[d] : c - stride[d];
-        T[side] = is_cell(e) ? point[e].T : 2 * point[e].T - point[c].T;
+/* The derivative along d in cell c, K m^-1, the mean of those at its two faces.  Beyond a held wall T is
+ * 2 T_wall - T.  No flux, K grad T, crosses an insulated one: `other` is the derivative along the other axis. */
+static double slope(int c, int d, double other) {
+    double sum = 0;
+    for (int way = -1; way <= 1; way += 2) {
+        int e = neighbour(c, d, way);
+        double step = is_cell(e) ? point[e].T - point[c].T : 2 * (point[e].T - point[c].T);
+        if (!is_cell(e) && point[e].axis[d].kind == FLUX)
+            sum -= point[c].k_xy / point[c].axis[d].k * other;
+        else
+            sum += way * step / width[d];
     }
-    return (T[1] - T[0]) / (2 * width[d]);
+    return sum / 2;
 }
 
 /* W m^-3: the fluxes of k_xy through the faces of cell c, with the mean derivative of their two cells; none through
- * a held wall, along which T is uniform. */
+ * a held wall, along which T is uniform, or an insulated one. */
 static double cross_fluxes(int c) {
     double sum = 0;
     for (int d = 0; d < 2; d++)
         for (int side = -1; side <= 1; side += 2) {
-            int e = c + side * stride[d];
+            int e = neighbour(c, d, side);
             if (!is_cell(e)) continue;
-            double k_xy = (point[c].k_xy + point[e].k_xy) / 2;
-            double along = (slope(c, 1 - d) + slope(e, 1 - d)) / 2;
+            double k_xy = (point[c].k_xy + point[e].k_xy) / 2, across = side * (point[e].T - point[c].T) / width[d];
+            double along = (slope(c, 1 - d, across) + slope(e, 1 - d, across)) / 2;
             sum += side * k_xy * along / width[d];
         }
     return sum;
 }
 
-/* T, and beyond held walls that of the image. */
+/* T, and beyond walls that of the image: even about an insulated one. */
 static double image(int c) {
     for (int d = 0; d < 2; d++) {
-        int inside = c;
-        if (place(c, d) == 0) inside = c + stride[d];
-        if (place(c, d) > n[d]) inside = c - stride[d];
-        if (inside != c) return 2 * point[c].axis[d].value - image(inside);
+        int way = place(c, d) == 0 ? 1 : place(c, d) > n[d] ? -1 : 0;
+        if (way == 0) continue;
+        if (point[c].axis[d].kind == PERIODIC) return image(c + way * n[d] * stride[d]);
+        double T = image(c + way * stride[d]);
+        return point[c].axis[d].kind == FLUX ? T : 2 * point[c].axis[d].value - T;
     }
     return point[c].T;
+}
+
+/* 1 if the lower corner of c is on an insulated wall across d. */
+static int is_insulated(int c, int d) {
+    int side = place(c, d) == 1 ? c - stride[d] : c;
+    return (place(c, d) == 1 || place(c, d) > n[d]) && point[side].axis[d].kind == FLUX;
 }
 
 static void corner_fluxes(void) {
@@ -334,6 +357,8 @@ static void corner_fluxes(void) {
         double T_11 = image(c);
         double T_x = (T_10 - T_00 + T_11 - T_01) / (2 * width[0]);
         double T_y = (T_01 - T_00 + T_11 - T_10) / (2 * width[1]);
+        if (is_insulated(c, 0)) T_x = -p->k_xy / p->k_x * T_y; /* no flux along x */
+        if (is_insulated(c, 1)) T_y = -p->k_xy / p->k_y * T_x;
         p->flux[0] = p->k_x * T_x + p->k_xy * T_y;
         p->flux[1] = p->k_xy * T_x + p->k_y * T_y;
     }
@@ -355,8 +380,7 @@ static void add_fluxes(int c) {
     struct point *p = &point[c];
     if (*conductivity) p->rate += cross_fluxes(c);
     for (int face = 0; face < 2 * dim; face++) {
-        int distance = stride[face / 2];
-        int e = face % 2 == 1 ? c + distance : c - distance;
+        int e = neighbour(c, face / 2, face % 2 ? 1 : -1);
         p->rate += p->conductance[face] * (potential(point[e].T) - potential(p->T));
     }
 }

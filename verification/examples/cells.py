@@ -103,7 +103,8 @@ rho_c = [values[2] for values in scene]
 k = [values[3::4] for values in scene]  # along each axis
 wall = [[values[4 + 4 * d:7 + 4 * d] for d in range(dim)] for values in scene]  # kind, value, b
 
-by_corners = sys.argv[3:] == ["corner"] and "conductivity" in case
+has_cross = {"k_xy", "conductivity"} & case.keys()
+by_corners = sys.argv[3:] == ["corner"] and has_cross and dim == 2
 
 # The faces of each cell: half cells in series, or a half cell and what the wall resists.
 flux = [0.0] * len(points)
@@ -134,22 +135,32 @@ for c in cells:
     fastest = max(fastest, sum(k[c][d] / (width[d] ** 2 * rho_c[c]) for d in range(dim)))
 
 # A tensor: K_ab times the derivative along b is a flux across a, the mean over the two cells of a face; none
-# through a held wall, along which T is uniform, and 2 T_wall - T beyond it.
+# through a held wall, along which T is uniform, and 2 T_wall - T beyond it.  None through an insulated wall either:
+# K grad T along b is 0 there, so that the derivative along b is -K_ab/K_bb of that along a.
 names = ["k_xy", "k_xz", "k_yz"][:2 * dim - 3]
-cross = reference.ask("0", ",".join(names)) if {"k_xy", "conductivity"} & case.keys() and not by_corners else []
+cross = reference.ask("0", ",".join(names)) if has_cross and not by_corners else []
 for c in cells if cross else []:
     for (a, b), way in itertools.product(itertools.permutations(range(dim), 2), (-1, 1)):
         e = beyond(c, a, way)
         K = (cross[c][a + b - 1] + cross[e][a + b - 1]) / 2
         for x, side in itertools.product((c, e) if not on_side(e, a) else (), (-1, 1)):
             f, g = beyond(x, b, side), way * side * K / (4 * width[a] * width[b])
-            faces[c] += [(f, 2 * g), (x, -g)] if on_side(f, b) else [(f, g)]
+            if on_side(f, b) and wall[f][b][0] == FLUX:
+                faces[c] += [(x, g), (e, -K / k[x][b] * K / (4 * width[a] ** 2))]
+            else:
+                faces[c] += [(f, 2 * g), (x, -g)] if on_side(f, b) else [(f, g)]
 
 
 def image(e):
-    """The temperature at a point, beyond held walls of its mirror image, as pairs (point, share)."""
-    sides = [d for d in range(dim) if on_side(e, d)]
-    inside = e + sum([stride[d] * (1 if points[e][d] == lo[d] else -1) for d in sides])
+    """The temperature at a point, beyond walls of its mirror image, as pairs (point, share)."""
+    inside, sides = e, []
+    for d in range(dim):
+        if on_side(e, d):
+            kind = wall[e][d][0]
+            far = stride[d] * (n[d] if kind == PERIODIC else 1) * (1 if points[e][d] == lo[d] else -1)
+            inside += far
+            e += far if kind in (PERIODIC, FLUX) else 0
+            sides += [] if kind in (PERIODIC, FLUX) else [d]
     return [[(e, 1)], [(e, 2), (inside, -1)], [(inside, 1)]][len(sides)]
 
 
@@ -161,8 +172,13 @@ if by_corners:
     ways = list(itertools.product((0, 1), (0, 1)))  # to the four points around it
     for low, (k_x, k_xy, k_y) in zip(lows, K):
         around = [sum((low[d] + way[d]) * stride[d] for d in range(2)) for way in ways]
+        insulated = [d for d in range(2) if any(on_side(e, d) and wall[e][d][0] == FLUX for e in around)]
         for e, (a, b) in zip(around, ways):
             T_x, T_y = (2 * a - 1) / (2 * width[0]), (2 * b - 1) / (2 * width[1])  # share of this point
+            if 0 in insulated:
+                T_x = -k_xy / k_x * T_y
+            if 1 in insulated:
+                T_y = -k_xy / k_y * T_x
             flux_x, flux_y = k_x * T_x + k_xy * T_y, k_xy * T_x + k_y * T_y
             for c, (p, q) in zip(around, ways):
                 g = (1 - 2 * p) * flux_x / (2 * width[0]) + (1 - 2 * q) * flux_y / (2 * width[1])

@@ -258,6 +258,12 @@ static int is_open(const struct problem *p, int s) {
     return s < 2 * p->dim && (p->side[s] == DIRICHLET || p->side[s] == ROBIN);
 }
 
+static int has_cross_insulated(const struct problem *p, int at) {
+    int insulated = 0;
+    for (int s = 0; s < 2 * p->dim; s++) insulated += p->side[s] == NEUMANN;
+    return at == 0 && insulated > 0 && problem_has_cross(p);
+}
+
 static int can_leak(const struct problem *p, int at) {
     int given = 0;
     for (int s = 0; s < 2 * p->dim; s++) given += p->side[s] == NEUMANN && (at == s || at == FAULT_ALL_SIDES);
@@ -484,6 +490,10 @@ static void cross(struct faulty *f) {
     if (f->fault.at == 1) f->opposite = 1;
     for (int k = 0; k < DIM_MAX; k++)
         if (f->fault.at < 2 || f->fault.at - 2 == k) f->problem.cross[k] *= f->fault.at == 1 ? -1 : 0;
+}
+
+static void normal(struct faulty *f) {
+    f->problem.is_even = 1;
 }
 
 static int has_field(const struct problem *p, int at) {

@@ -105,6 +105,8 @@ static void faults_are_named_with_their_size(void **state) {
         {"rect-manufactured", 0.025, {FAULT_ALONG, FAULT_BOTH_AXES}, 1, 1, "cells too far up, along the wall"},
         {"rect-manufactured", 0.025, {FAULT_INSULATED, X_LO}, 1, 100, "side x_lo were insulated"},
         {"wave", 0.025, {FAULT_NOT_PERIODIC, 1}, 1, 100, "periodic sides across y were insulated"},
+        {"oblique", 0.025, {FAULT_NORMAL, 0}, 1, 100, "n.grad T were 0 on insulated sides"},
+        {"oblique", 0.025, {FAULT_CROSS, 1}, 1, 100, "k_xy had the wrong sign"},
         {"rod-cooling", 0.005, {FAULT_NEAR_WALL, 0}, 0.5, 0.5, "half a cell inside"},
         {"rod-cooling", 0.005, {FAULT_HELD, 0}, 0.5, 0.5, "as if held sides were"},
         {"rod-cosine", 0.025, {FAULT_LEAK, X_LO}, 0.3, 30, "side x_lo lost heat"},

@@ -784,7 +784,7 @@ static void refusals_state_the_reason(void **state) {
     refused(&method_ftcs, &rod, &chebyshev, STATUS_NOT_APPLICABLE, "finite differences have euler, rk2, rkl2");
     two.materials = 2, two.material[1] = two.material[0], two.interface = 0.3;
     refused(&method_ftcs_flux, &two, &plain, STATUS_NOT_APPLICABLE, "takes one material, the scene has two");
-    two = plane, two.cross[0] = 0.1, two.side[Y_LO] = NEUMANN;
+    two = plane, two.cross[0] = 0.1, two.side[Y_LO] = ROBIN;
     refused(&method_ftcs, &two, &plain, STATUS_NOT_APPLICABLE, "takes k_xy between held or periodic sides");
     rod.wall_rate = hot_rate;
     refused(&method_ftcs, &rod, &matched, STATUS_NOT_APPLICABLE, "are derived for steady walls");

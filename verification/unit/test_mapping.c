@@ -204,8 +204,8 @@ static double side_is_off(const struct scene *s, const struct image *image, int 
 static void image_satisfies_its_equation(void **state) {
     (void)state;
     static const char *const name[] = {"rod-contact",   "rod-cooling",  "rod-driven", "rect-manufactured",
-                                       "plate-cooling", "plate-driven", "wave"};
-    for (int n = 0; n < 7; n++)
+                                       "plate-cooling", "plate-driven", "oblique",    "wave"};
+    for (int n = 0; n < 8; n++)
         for (int i = 0; i < (n < 3 ? 2 : 8); i++) {
             struct problem of;
             struct image image;

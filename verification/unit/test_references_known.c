@@ -37,6 +37,7 @@ static const struct known {
     {"rect-manufactured", {0.31, 0.23}, 1.3, 1.9643947954701391570},
     /* the closed forms, Bessel functions by mpmath, roots of their conditions; disc-cooling: 89 modes */
     {"wave", {0.31, 0.87}, 1.3, 1.109229038474516135},
+    {"oblique", {0.31, 0.87}, 1.3, 1.1266938538323705352},
     {"disc-mode", {0.7, 0.4}, 1.1, 2.1045280976087505546},
     {"disc-mode", {-0.9, 0.81}, 1.6, 2.3346184466530895198},
     {"annulus", {0.3, 0.55}, 1.1, 2.097694237169056175},

@@ -43,6 +43,8 @@ static const struct refusal {
     {"rect-manufactured", "A", 1.5, "from 0 to 1 K: the temperature stays positive, 0 < A <= 1"},
     {"cube-step", "c", 2.1, "the brick ends before the walls"},
     {"box-cosine", "mode_z", 13, "whole number from 0 to 12"},
+    {"oblique", "k_xy", -0.01, "between -0.01 and 0.01 W/(m K) that is not 0"},
+    {"oblique", "mode_x", 0.5, "whole number from 1 to 32"},
     {"wave", "mode_z", -1, "whole number from 0 to 32"},
     {"box-manufactured", "b", 0, "greater than 0"},
     {"box-contact", "mode_z", 21, "whole number from 0 to 20"},
