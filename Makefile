@@ -124,11 +124,14 @@ $(BUILD)/flags:
 
 FORCE:
 
-# Solvers and references take the time of a run, the other parts take longer to optimize than to run.
+# Solvers and references take the time of a run, responses to faults that of a diagnosis; the other parts take longer
+# to optimize than to run.
+FAST_PARTS := solver/% references/% verification/fault/melting.c verification/fault/response.c
 $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BUILD)/published.inc
 	@mkdir -p $(@D)
 	@echo "  CC    $<"
-	$(Q)$(CC) $(if $(filter solver/% references/%,$<),$(ALL_CFLAGS) $(SHARED_CFLAGS),$(patsubst -O3,-O1,$(ALL_CFLAGS))) $(DEFINES) -MMD -MP -c -o $@ $<
+	$(Q)$(CC) $(if $(filter $(FAST_PARTS),$<),$(ALL_CFLAGS),$(patsubst -O3,-O1,$(ALL_CFLAGS))) \
+	$(if $(filter solver/% references/%,$<),$(SHARED_CFLAGS)) $(DEFINES) -MMD -MP -c -o $@ $<
 
 # One file a width of vectors; the processor is asked at run time.
 $(BUILD)/solver/sweep/lanes4.o: DEFINES += $(LANES4)

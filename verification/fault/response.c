@@ -28,11 +28,18 @@ static double fourier_of(const struct problem *p) {
 
 /* ---- Steps with a change of the equation ---- */
 
+enum { FACES = 2 * DIM_MAX };
+
 struct steps {
     const struct faulty *f;
     int n[DIM_MAX], stride[DIM_MAX], all;
     double dx;
     double *T, *rate;
+    struct face {
+        int to;          /* the cell beyond a face; the cell itself at a wall */
+        double conducts; /* W m^-3 K^-1; 0 at a wall */
+    } (*face)[FACES];    /* x_lo, x_hi, y_lo, ... of each cell */
+    double *rho_c;
 };
 
 static void centre(const struct steps *c, int i, double x[DIM_MAX]) {
@@ -47,8 +54,12 @@ static const struct material *material_at(const struct faulty *f, const double *
     return &p->material[p->materials == 2 && x[a] >= p->lo[a] + part * (p->hi[a] - p->lo[a])];
 }
 
-static double conducts(const struct faulty *f, const double *x, int a, double T) {
-    return f->problem.k_law ? kirchhoff_k(&f->problem, T) : material_at(f, x)->k[a];
+/* k of cell i along axis a. */
+static double conducts(const struct steps *c, int i, int a) {
+    double x[DIM_MAX];
+    if (c->f->problem.k_law) return kirchhoff_k(&c->f->problem, c->T[i]);
+    centre(c, i, x);
+    return material_at(c->f, x)->k[a];
 }
 
 /* Whether that face of a wall, in the cell of a corner of a plane, is left out. */
@@ -59,33 +70,51 @@ static int is_left_out(const struct steps *c, int i, int a, int hi) {
     return at < BESIDE_ALL ? corner == at : at - BESIDE_ALL == a;
 }
 
-/* The heat that face `hi` across axis a adds to the cell i at x, W m^-3. */
-static double through(const struct steps *c, int i, const double *x, int a, int hi, double t) {
+static int is_at_side(const struct steps *c, int i, int a, int hi) {
+    return i / c->stride[a] % c->n[a] == (hi ? c->n[a] - 1 : 0);
+}
+
+/* The faces between cells, at T. */
+static void conduct(struct steps *c) {
     const struct problem *p = &c->f->problem;
-    const enum side s = (enum side)(2 * a + hi);
-    const int place = i / c->stride[a] % c->n[a], at_side = place == (hi ? c->n[a] - 1 : 0);
-    double k = conducts(c->f, x, a, c->T[i]), dx2 = c->dx * c->dx, y[DIM_MAX] = {x[0], x[1], x[2]};
-    if (at_side && p->side[s] != PERIODIC) {
-        y[a] = hi ? p->hi[a] : p->lo[a];
-        double value = p->wall(p, s, y, t), half = c->dx / (2 * k);
-        if (p->side[s] == NEUMANN) return value / c->dx;
-        if (is_left_out(c, i, a, hi)) return 0;
-        return (value - c->T[i]) / (half + (p->side[s] == ROBIN ? 1 / p->robin[s] : 0)) / c->dx;
-    }
-    int j = i + (hi ? 1 : -1) * c->stride[a] * (at_side ? 1 - c->n[a] : 1);
-    y[a] += hi ? c->dx : -c->dx;
-    double beyond = conducts(c->f, y, a, c->T[j]), both = p->k_law ? (k + beyond) / 2 : 2 * k * beyond / (k + beyond);
-    return (c->f->laplacian ? k : both) * (c->T[j] - c->T[i]) / dx2 * (at_side && c->f->twice[a] ? 2 : 1);
+    for (int i = 0; i < c->all; i++)
+        for (int s = 0; s < 2 * p->dim; s++) {
+            const int a = s / 2, at_side = is_at_side(c, i, a, s % 2);
+            struct face *face = &c->face[i][s];
+            face->to = i;
+            if (at_side && p->side[s] != PERIODIC) continue;
+            face->to += (s % 2 ? 1 : -1) * c->stride[a] * (at_side ? 1 - c->n[a] : 1);
+            double k = conducts(c, i, a), beyond = conducts(c, face->to, a);
+            double both = p->k_law ? (k + beyond) / 2 : 2 * k * beyond / (k + beyond);
+            face->conducts = (c->f->laplacian ? k : both) * (at_side && c->f->twice[a] ? 2 : 1) / (c->dx * c->dx);
+        }
+}
+
+/* The heat that a wall adds to cell i, W m^-3. */
+static double through_wall(const struct steps *c, int i, int s, double t) {
+    const struct problem *p = &c->f->problem;
+    const int a = s / 2;
+    double x[DIM_MAX], half = c->dx / (2 * conducts(c, i, a));
+    centre(c, i, x);
+    x[a] = s % 2 ? p->hi[a] : p->lo[a];
+    double value = p->wall(p, (enum side)s, x, t);
+    if (p->side[s] == NEUMANN) return value / c->dx;
+    if (is_left_out(c, i, a, s % 2)) return 0;
+    return (value - c->T[i]) / (half + (p->side[s] == ROBIN ? 1 / p->robin[s] : 0)) / c->dx;
 }
 
 static void step(struct steps *c, double t, double dt) {
     const struct problem *p = &c->f->problem;
+    const int faces = 2 * p->dim, heated = p->source || p->source_at;
+    if (p->k_law) conduct(c);
     for (int i = 0; i < c->all; i++) {
-        double x[DIM_MAX];
-        centre(c, i, x);
-        c->rate[i] = problem_source(p, x, t);
-        for (int face = 0; face < 2 * p->dim; face++) c->rate[i] += through(c, i, x, face / 2, face % 2, t);
-        c->rate[i] /= material_at(c->f, x)->rho_c;
+        double sum = 0, x[DIM_MAX];
+        if (heated) centre(c, i, x), sum = problem_source(p, x, t);
+        for (int s = 0; s < faces; s++) {
+            const struct face *face = &c->face[i][s];
+            sum += face->to == i ? through_wall(c, i, s, t) : face->conducts * (c->T[face->to] - c->T[i]);
+        }
+        c->rate[i] = sum / c->rho_c[i];
     }
     for (int i = 0; i < c->all; i++) c->T[i] += dt * c->rate[i];
 }
@@ -103,14 +132,20 @@ static void solve_by_steps(const struct faulty *f, double dx, struct field *out)
     field_alloc_lattice(out, p->dim, c.n, NULL);
     c.T = out->T;
     c.rate = xcalloc((size_t)c.all, sizeof *c.rate);
+    c.rho_c = xcalloc((size_t)c.all, sizeof *c.rho_c);
+    c.face = xcalloc((size_t)c.all, sizeof *c.face);
     for (int i = 0; i < c.all; i++) {
         double x[DIM_MAX];
         centre(&c, i, x);
         c.T[i] = p->initial(p, x);
+        c.rho_c[i] = material_at(f, x)->rho_c;
     }
+    conduct(&c);
     const double steps = ceil(p->t_end * problem_diffusivity(p) * p->dim / (0.3 * dx * dx)), dt = p->t_end / steps;
     for (double n = 0; n < steps && !output_noted(); n++) step(&c, n * dt, dt);
     free(c.rate);
+    free(c.rho_c);
+    free(c.face);
 }
 
 /* ---- Runs ---- */
