@@ -380,7 +380,7 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, every s
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 # PEERS='getfem scipy': keys of scripts/peers.txt, for both; without it, all.  ROWS='contact/*': those of the battery.
-setup-peers: ## Install public codes from Debian's packages: those of PEERS, or all
+setup-peers: ## Install public codes from packages of Debian and PyPI: those of PEERS, or all
 	$(Q)scripts/setup-peers $(PEERS)
 
 codes: $(BUILD)/heatladder ## Judge the public codes that are installed (PEERS, or all) and write reports/out/codes.html

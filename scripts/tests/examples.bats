@@ -74,6 +74,29 @@ find_python() { # module: else the test is skipped
     expect 0 'all are here' copy/scripts/setup-peers good
 }
 
+@test "setup-peers puts a package of PyPI into a virtual environment of its own, without apt-get and root" {
+    mkdir -p copy/scripts
+    cp "$tree/scripts/setup-peers" "$tree/scripts/interpreter" copy/scripts
+    printf '%s\n' 'bad | Bad | pypi:no-such | import no_such | - | -' \
+        'good | Good | pypi:few | import few | - | -' >copy/scripts/peers.txt
+    local tool
+    for tool in apt-get sudo; do stand_in "$tool" "echo $tool >>used; exit 1"; done
+    stand_in python "case \$* in
+        *' venv '*no*|*no-such) echo 'ERROR: none of that name'; exit 1 ;;
+        *' venv '*) mkdir -p build/venv/good/bin && cp '$PWD/bin/python' build/venv/good/bin/python ;;
+        *dry-run*few) echo 'Would install few-1.2' ;;
+        *few) case \$1:\$0 in -m:*good/bin/python) echo here >build/venv/good/few ;; -c:build/venv/good/*) [ -s build/venv/good/few ] ;; *) exit 1 ;; esac ;;
+        *no_such) exit 1 ;;
+        esac"
+    export PYTHON=$PWD/bin/python
+    expect 0 '^setup-peers: good: few of PyPI, in build/venv/good: few-1.2$' copy/scripts/setup-peers
+    [[ $output == *'bad: no-such of PyPI, in build/venv/bad: no such package here'*'few-1.2'*'bad (no-such) could not be installed: '*'; going on'* ]]
+    [[ $output == *$'left out of make codes:\nbad pypi:no-such' ]]
+    [ ! -e used ] && [ ! -e copy/build/venv/bad ]
+    expect 0 'all are here' copy/scripts/setup-peers good
+    expect 0 '^build/venv/good/bin/python$' env -C copy scripts/interpreter few
+}
+
 @test "lint_examples finds a slip in each language" {
     local suffix
     for suffix in awk c cc edp f90 js m R; do echo ')' >"slip.$suffix"; done
