@@ -13,6 +13,7 @@ struct response_lattice {
     double dx;      /* m */
     double *T;      /* K, n[0] n[1] n[2], for the problem without a fault; owned */
     double *longer; /* K: dT/dF for Euler steps, with the mesh Fourier number F; owned; NULL for phases */
+    double *apart;  /* K: T less that by the steps of the responses; owned; NULL for phases */
 };
 
 /* Finds the lattice of about 64 cells along x (in space 16 along the longest axis) that fits the domain (and, if

@@ -157,6 +157,30 @@ static void a_response_is_per_unit_of_the_size(void **state) {
     response_lattice_free(&l);
 }
 
+/* Steps of rkl2 with F = 1.75 add (F dx^2 q^2)^2/14 of the decay, Euler's at F = 0.05 ten times as much; `base` has
+ * the latter. */
+static void a_response_in_the_plane_has_no_error_of_the_base(void **state) {
+    (void)state;
+    struct problem p = body(2);
+    struct response_lattice l;
+    struct field f;
+    struct response r;
+    double base[N], longer[N], out[N], pace = 0;
+    assert_int_equal(response_lattice_create(&p, &l), 0);
+    points(2, &f);
+    response_base(&p, &l, &f, base, longer);
+    assert_int_equal(response_take(&p, &l, (struct fault){FAULT_AMPLITUDE, 0}, 0.01, &r), 0);
+    response_at(&r, &l, &f, base, out);
+    for (int a = 0; a < 2; a++) pace += KAPPA[a] * pow(2 * sin(q_of(a) * l.dx / 2) / l.dx, 2);
+    double T = 3 * exp(-pace * p.t_end), step = 1.75 * l.dx * l.dx / KAPPA[0];
+    double most = pow(pace * step, 2) / 14 * pace * p.t_end * T;
+    for (int i = 0; i < N; i++) assert_near(out[i], T * mode_at(&f, i), most + 3e-6);
+    assert_order(fabs(base[0] - out[0]), >, 2 * most);
+    response_free(&r);
+    field_free(&f);
+    response_lattice_free(&l);
+}
+
 /* A code whose answer is 1 % too large: its errors at dx, and the truncation error of differences there. */
 static void errors_are_seen_at_the_spacing_of_the_rung(void **state) {
     (void)state;
@@ -353,6 +377,7 @@ int main(void) {
         cmocka_unit_test(response_lattice_decays_one_mode),
         cmocka_unit_test(response_extrapolates_linearly_to_the_wall),
         cmocka_unit_test(a_response_is_per_unit_of_the_size),
+        cmocka_unit_test(a_response_in_the_plane_has_no_error_of_the_base),
         cmocka_unit_test(faces_lie_on_jumps_and_interfaces),
         cmocka_unit_test(errors_are_seen_at_the_spacing_of_the_rung),
         cmocka_unit_test(materials_that_meet_across_y_differ),
