@@ -21,6 +21,7 @@ int refuse(struct failure *f, int status, const char *format, ...) {
     vsnprintf(f->text, sizeof f->text, format, arguments);
     va_end(arguments);
     f->status = status;
+    f->exchanged = 0;
     return status;
 }
 

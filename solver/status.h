@@ -26,6 +26,8 @@ int status_refused(int status);
 struct failure {
     int status;     /* one of the above */
     char text[480]; /* one line without a newline: option, value and valid range; place and time */
+    int exchanged;  /* 1 + the pair of axes (0: x and y, 1: y and z, 2: x and z) with which exchanged all points of a
+                     * refused answer are inside; 0: none */
 };
 
 /* Fills *f (printf-like) and returns status, for `return refuse(f, STATUS_INPUT, ...)`. */

@@ -7,7 +7,6 @@
 #include "solver/status.h"
 #include "verification/fault/fit.h"
 #include "verification/fault/wording.h"
-#include "verification/solve/coverage.h"
 #include "verification/solve/program.h"
 #include "verification/judge/ladder.h"
 #include "verification/judge/norms.h"
@@ -91,7 +90,7 @@ void diagnose_ladder(const struct experiment *e, struct ladder *l, struct diagno
     double apart = l->noise.apart, largest = field_largest(&l->kept[1]);
     *d = (struct diagnosis){.unit = ""};
     if (l->failure.status == STATUS_UNSTABLE) diagnosis_overflow(d);
-    if (coverage_exchanged(&l->failure) >= 0) diagnosis_exchanged(coverage_exchanged(&l->failure), d);
+    if (l->failure.exchanged) diagnosis_exchanged(l->failure.exchanged - 1, d);
     if (!l->open || d->named) return;
     if (l->n < 2 || l->kept[0].n == 0 || l->kept[1].n == 0) {
         snprintf(d->what, sizeof d->what, "none: two rungs with an answer are needed");

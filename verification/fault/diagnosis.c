@@ -60,19 +60,14 @@ struct diagnosis diagnosis_of(const struct fault_fit *c, const char *unit, doubl
 }
 
 /* A clock that is wrong by one step at one of the two rungs and right at the other. */
-static int is_off_at_one(const struct fault_fit *c, struct diagnosis *d) {
-    if (c->fault.kind != FAULT_CLOCK || strcmp(c->name, "steps") != 0) return 0;
-    for (int k = 0; k < 2; k++) {
-        const struct fit *off = &c->rung[k];
-        double steps = off->size / c->step[k], other = c->rung[1 - k].size / c->step[1 - k];
-        if (fabs(fabs(steps) - 1) > FIT_STEADY || fabs(other) > FIT_STEADY || off->share < FIT_SHARE ||
-            off->part < FIT_MOST)
-            continue;
-        *d = (struct diagnosis){.named = 1,
-                                .fault = {FAULT_SOME_STEPS, 0},
-                                .size = steps < 0 ? -1 : 1,
-                                .unit = "steps",
-                                .share = off->share};
+static int is_off_at_one(const struct evidence *found, struct diagnosis *d) {
+    for (int way = -1; way <= 1; way += 2) {
+        int off[2];
+        const double share = fit_some_steps(found, way, off);
+        if (share < FIT_SHARE || off[0] == off[1]) continue;
+        if (fit_first(found, FAULT_CLOCK)->rung[off[1]].part < FIT_MOST) continue;
+        *d = (struct diagnosis){
+            .named = 1, .fault = {FAULT_SOME_STEPS, 0}, .size = way, .unit = "steps", .share = share};
         wording_fault(d);
         return 1;
     }
@@ -126,8 +121,7 @@ void diagnosis_choose(const struct evidence *found, struct diagnosis *d) {
         wording_fault(d);
         return;
     }
-    for (int i = 0; i < n; i++)
-        if (is_off_at_one(&c[i], d)) return;
+    if (is_off_at_one(found, d)) return;
     if (most >= FIT_SHARE)
         snprintf(d->what, sizeof d->what,
                  "no usual fault: what looks like one has a size that changes with the spacing%s",

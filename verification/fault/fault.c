@@ -24,6 +24,7 @@ static const struct fault_places
     across = {FAULT_ALL_AXES + 1,
               (const char *const[]){" across x", " across y", " across z", " across x and y", " across x, y and z"},
               ""},
+    cooled_across = {FAULT_ALL_AXES + 1, (const char *const[]){" across x", " across y", " across z", "", ""}, ""},
     across_one = {DIM_MAX, (const char *const[]){" across x", " across y", " across z"}, ""},
     along = {FAULT_ALL_AXES + 1,
              (const char *const[]){" along x", " along y", " along z", " along x and y", " along x, y and z"}, ""},
@@ -328,6 +329,13 @@ static int has_cooled(const struct problem *p, int at) {
     return cooled_sides(p) > 0;
 }
 
+/* A cooled side across that axis, or, for all axes, across two of them. */
+static int has_cooled_across(const struct problem *p, int at) {
+    int n = 0;
+    for (int a = 0; a < p->dim; a++) n += includes(at, a) && (is_cooled(p, 2 * a) || is_cooled(p, 2 * a + 1));
+    return at == FAULT_BOTH_AXES ? 0 : n > (at == FAULT_ALL_AXES);
+}
+
 static int has_coefficient(const struct problem *p, int at) {
     return at == FAULT_ALL_SIDES ? cooled_sides(p) >= 2 : is_cooled(p, at);
 }
@@ -612,7 +620,8 @@ static void offset(struct faulty *f) {
 static void near_wall(struct faulty *f) {
     for (int s = 0; s < 2 * f->problem.dim; s++) {
         const struct material *beside = &f->problem.material[s == X_HI ? f->problem.materials - 1 : 0];
-        f->problem.robin[s] /= fmax(0.01, 1 - f->size * f->problem.robin[s] / beside->k[s / 2]);
+        const double half = includes(f->fault.at, s / 2) ? f->size / beside->k[s / 2] : 0;
+        f->problem.robin[s] /= fmax(0.01, 1 - half * f->problem.robin[s]);
     }
 }
 

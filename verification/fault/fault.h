@@ -45,6 +45,7 @@ struct fault_row {
     enum fault_unit unit;
     unsigned is;
     double probe; /* size at which the response is taken, in fault_scale; 0: 1/100, of lengths 1/200 */
+    double far;   /* size at which it is taken too if a small one explains too little; 0: none */
     double least; /* least possible size, in fault_scale; 0: any */
     double cells; /* size of FAULT_CELL */
     const char *text, *below, *above; /* the sentence, see wording.h */

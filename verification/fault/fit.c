@@ -244,6 +244,23 @@ double fit_whole_steps(const struct evidence *e, int at, double most) {
     return c ? c->rung[0].share : 0;
 }
 
+/* A correct code's own error and the unknown mean, which take a clock less than half a step off, scale as dx^2, as
+ * steps do: between the rungs whole steps are left. */
+double fit_some_steps(const struct evidence *e, int way, int off[2]) {
+    const struct fault_fit *c = fit_first(e, FAULT_CLOCK);
+    double steps[2];
+    off[0] = off[1] = 0;
+    if (!c || !(c->step[0] > 0)) return 0;
+    for (int k = 0; k < 2; k++) {
+        steps[k] = way * c->rung[k].size / c->step[k];
+        off[k] = steps[k] > 0.5;
+        if (!(steps[k] > -0.5 && steps[k] < 1.5)) return 0;
+        if (c->rung[k].share < FIT_SHARE && c->rung[k].part >= FIT_MOST) return 0;
+    }
+    if (fabs(steps[0] - steps[1] - off[0] + off[1]) > FIT_STEADY) return 0;
+    return c->rung[off[1] && !off[0]].share;
+}
+
 /* ---- All faults at two rungs ---- */
 
 enum { POINTS = 20000 };
@@ -309,16 +326,16 @@ static int fit_at(const struct looked_at *at, struct fault fault, double size, s
 /* The response to a coefficient is not linear.  It is therefore evaluated again at the size s of the previous fit,
  * which gives a size f(s), until the two agree.  The next s follows from the secant through the last two f: for a
  * wall of almost no resistance f = -(1 + s), for which the fixed-point iteration s = f would not converge. */
-static int fit_bent(const struct looked_at *at, struct fault fault, struct fit fit[2]) {
+static int fit_from(const struct looked_at *at, struct fault fault, double start, struct fit fit[2]) {
     enum { STEPS = 6 };
     static const double LARGE = 0.05, MOST = 3, SAME = 0.01, LIKELY = 0.5, STEEP = 0.9;
     const int phase = fault.kind == FAULT_WALL_TIME, bends = fault_rows[fault.kind].is & FAULT_BENDS;
-    const double unit = phase ? at->p->t_end / 4 : 1;
+    const double unit = fault_scale(at->p, fault) / (phase ? 4 : 1);
     const double lowest = phase                             ? -MOST
                           : fault.kind == FAULT_COEFFICIENT ? -1
                                                             : -0.9; /* b may be 0, k and rho c not */
-    int failed = fit_at(at, fault, 0, fit);
-    double before[2] = {0, fit[0].size}, s = before[1];
+    int failed = fit_at(at, fault, start, fit);
+    double before[2] = {start, fit[0].size}, s = before[1];
     for (int round = 0; round < STEPS && !failed && bends; round++) {
         if (!(fit[0].share > LIKELY && fit[0].part > FIT_MOST && fabs(s) > LARGE * unit)) break;
         s = fmin(fmax(s, lowest * unit), MOST * unit);
@@ -329,6 +346,16 @@ static int fit_bent(const struct looked_at *at, struct fault fault, struct fit f
         s = slope < STEEP ? (found - slope * s) / (1 - slope) : found;
     }
     return failed;
+}
+
+/* From a small size and, if that explains too little, from a large one. */
+static int fit_bent(const struct looked_at *at, struct fault fault, struct fit fit[2]) {
+    const double far = fault_rows[fault.kind].far * fault_scale(at->p, fault);
+    struct fit there[2];
+    if (fit_from(at, fault, 0, fit)) return -1;
+    if (far == 0 || fit[0].share >= FIT_SHARE || fit[0].part < FIT_MOST) return 0;
+    if (!fit_from(at, fault, far, there) && there[0].share > fit[0].share) memcpy(fit, there, sizeof there);
+    return 0;
 }
 
 static void fit_each(struct looked_at *at, struct evidence *c) {

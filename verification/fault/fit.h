@@ -78,6 +78,10 @@ const struct fault_fit *fit_first(const struct evidence *e, enum fault_kind kind
  * dx^2/kappa, by another part of it at each rung, explains; 0: none does.  NULL explains nothing. */
 double fit_whole_steps(const struct evidence *e, int at, double most);
 
+/* The share of the errors that an end which is one step late or early (`way`: 1 or -1) at some rungs and right at the
+ * others explains; 0: none does.  off[k]: whether it is wrong at rung k. */
+double fit_some_steps(const struct evidence *e, int way, int off[2]);
+
 /* Names of the units of a kind, ended by NULL. */
 const char *const *fit_unit_names(enum fault_kind kind);
 

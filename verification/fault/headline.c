@@ -39,7 +39,9 @@ static int names(const struct diagnosis *row, const struct hypothesis *h) {
     int some = kind == FAULT_SOME_STEPS && row->fault.kind == FAULT_CLOCK && strcmp(row->unit, "steps") == 0;
     /* if walls alone change T, an early end and early walls leave the same difference of two runs */
     int early = kind == FAULT_CLOCK && row->fault.kind == FAULT_WALL_TIME && strcmp(h->unit, "steps") == 0;
-    if (!row->named || (row->fault.kind != kind && !some && !early)) return 0;
+    /* a wall that heats itself lets T grow without bound */
+    int grows = kind == FAULT_AIR_SIGN && row->fault.kind == FAULT_UNSTABLE;
+    if (!row->named || (row->fault.kind != kind && !some && !early && !grows)) return 0;
     if (kind == FAULT_WHOLE_STEPS) return row->fault.at == h->fault.at;
     if (kind == FAULT_NOISE || kind == FAULT_UNSTABLE || fault_rows[kind].unit == UNIT_WHOLE) return 1;
     if (strcmp(row->unit, h->unit) != 0) return 0;
@@ -73,12 +75,28 @@ static const struct fault_fit *best_fit(const struct evidence *e, const struct h
     return best;
 }
 
-static double share_of(const struct diagnosis *row, const struct hypothesis *h) {
+/* Whether the fault, with the size of h, is as large there as a correct code's own error. */
+static int is_seen(const struct fault_fit *c, const struct hypothesis *h) {
+    double part = 0;
+    for (int k = 0; c && k < 2; k++)
+        part = fmax(part, c->rung[k].part * fabs(h->size * fit_unit(c, h->unit, k) / c->rung[k].size));
+    return part >= 1;
+}
+
+/* The share of a row's error that it explains; *seen: whether it has a part in it. */
+static double share_of(const struct diagnosis *row, const struct hypothesis *h, int *seen) {
     static const double LONGEST = 0.5; /* dx^2/kappa: the longest stable step of Euler in a rod */
     double share = 0;
+    int off[2];
+    *seen = 1;
     if (names(row, h) && (!is_made(h->fault.kind) || !row->evidence)) return 1;
     if (h->fault.kind == FAULT_WHOLE_STEPS) return fit_whole_steps(row->evidence, h->fault.at, LONGEST);
-    best_fit(row->evidence, h, 0, &share);
+    if (h->fault.kind == FAULT_SOME_STEPS) {
+        share = fit_some_steps(row->evidence, h->size < 0 ? -1 : 1, off);
+        *seen = off[0] || off[1];
+        return share;
+    }
+    *seen = is_seen(best_fit(row->evidence, h, 0, &share), h);
     return share;
 }
 
@@ -86,10 +104,11 @@ static double share_of(const struct diagnosis *row, const struct hypothesis *h) 
 static void score(struct hypothesis *h, const struct diagnosis *row, int failing, int known) {
     h->score = 0, h->votes = 0, h->voted = 0;
     for (int i = 0; i < failing; i++) {
-        double share = share_of(&row[i], h);
+        int seen;
+        double share = share_of(&row[i], h, &seen);
         h->score += share / known;
-        h->votes += share >= VOTE;
-        h->voted += share >= VOTE ? share : 0;
+        h->votes += seen && share >= VOTE;
+        h->voted += seen && share >= VOTE ? share : 0;
     }
     if (h->votes) h->voted /= h->votes;
     if (fault_rows[h->fault.kind].is & FAULT_RARE) h->score -= NOISE / 2;
@@ -167,9 +186,12 @@ static int rarity(const struct hypothesis *h) {
 
 static const double AS_WELL = 0.02; /* scores that differ by less are equal */
 
-/* The better one explains more; of two that explain as much, it is at one place, or the more common. */
+/* The better one explains more; of two that explain as much, it is at one place, or the more common.  Of k, rho c and
+ * the end time it has more votes: few rows tell them apart. */
 static int is_better(const struct hypothesis *a, const struct hypothesis *b) {
     if (fabs(a->score - b->score) > AS_WELL) return a->score > b->score;
+    if (fit_pace(a->fault.kind, a->unit) && fit_pace(b->fault.kind, b->unit) && a->votes != b->votes)
+        return a->votes > b->votes;
     if (a->fault.kind != b->fault.kind) return rarity(a) < rarity(b);
     if ((a->fault.at == FAULT_ANY) != (b->fault.at == FAULT_ANY)) return b->fault.at == FAULT_ANY;
     if (strcmp(a->unit, b->unit) != 0) return strcmp(a->unit, "steps") == 0 || !*b->unit; /* if a size is known */
@@ -190,7 +212,7 @@ static struct diagnosis named(const struct hypothesis *h, const struct diagnosis
     for (int i = 0; i < failing; i++) {
         double share;
         const struct fault_fit *c = best_fit(row[i].evidence, h, 0, &share);
-        if (!c || share < VOTE) continue;
+        if (!c || share < VOTE || !is_seen(c, h)) continue;
         d.sides &= c->sides;
         if (h->fault.at == FAULT_ANY && c->fault.at != h->shown->fault.at) d.fault.at = FAULT_ANY;
     }
@@ -221,7 +243,7 @@ static unsigned paces(const struct hypothesis *list, int n, const struct hypothe
     unsigned all = fit_pace(best->fault.kind, best->unit);
     for (int i = 0; i < n && all; i++) {
         const unsigned pace = fit_pace(list[i].fault.kind, list[i].unit);
-        if (!pace || all & pace || list[i].score < best->score - AS_WELL) continue;
+        if (!pace || all & pace || list[i].score < best->score - AS_WELL || list[i].votes < best->votes) continue;
         struct diagnosis d = named(&list[i], row, failing);
         if (!contradicts || !contradicts(&d, context)) all |= pace;
     }
@@ -279,7 +301,9 @@ double headline_share(const struct headline *h, const struct diagnosis *row) {
     if (*of.unit == '%') of.size /= 100;
     if (*of.unit == '\0') of.unit = "%", of.size = 1;
     if (of.fault.kind == FAULT_MEAN) of.fault.at = 0;
-    return row->named || row->evidence ? share_of(row, &of) : NAN;
+    int seen;
+    const double share = row->named || row->evidence ? share_of(row, &of, &seen) : NAN;
+    return isfinite(share) && !seen ? 0 : share;
 }
 
 void headline_print(const struct headline *h, const char *class, char text[HEADLINE_TEXT]) {

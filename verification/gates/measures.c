@@ -15,7 +15,6 @@
 #include "verification/judge/norms.h"
 #include "verification/judge/run.h"
 #include "verification/judge/self_difference.h"
-#include "verification/solve/coverage.h"
 #include "verification/solve/program.h"
 #include "verification/solve/symmetry.h"
 #include "verification/stability/consistency.h"
@@ -31,7 +30,7 @@ void measures_fail(struct measured *m, const struct failure *why) {
     *m = (struct measured){.value = NAN, .ci = {NAN, NAN}, .error = NAN};
     m->verdict = why->status == STATUS_SKIPPED ? VERDICT_SKIPPED : VERDICT_FAIL;
     if (why->status == STATUS_UNSTABLE) diagnosis_overflow(&m->found);
-    if (coverage_exchanged(why) >= 0) diagnosis_exchanged(coverage_exchanged(why), &m->found);
+    if (why->exchanged) diagnosis_exchanged(why->exchanged - 1, &m->found);
     snprintf(m->reason, sizeof m->reason, "%.390s", why->text);
 }
 

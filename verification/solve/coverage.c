@@ -38,6 +38,7 @@
 #include <gsl/gsl_interp.h>
 #include <gsl/gsl_sort_double.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -92,31 +93,25 @@ static int inside_exchanged(const struct samples *s, const struct problem *p, in
     return 1;
 }
 
-/* The end of a refusal, by pair of axes. */
-static const char *const exchanged[] = {"; with x and y exchanged all points are inside",
-                                        "; with y and z exchanged all points are inside",
-                                        "; with x and z exchanged all points are inside"};
-enum { PAIRS = sizeof exchanged / sizeof *exchanged };
-
-int coverage_exchanged(const struct failure *why) {
-    for (int pair = 0; pair < PAIRS; pair++)
-        if (strstr(why->text, exchanged[pair])) return pair;
-    return -1;
-}
-
 static int refuse_outside(const struct samples *s, const struct problem *p, int a, size_t first,
                           struct failure *why) {
+    enum { PAIRS = 3 };
     static const int axes[PAIRS][2] = {{0, 1}, {1, 2}, {0, 2}};
     const double lo = p->lo[a], hi = p->hi[a];
-    char place[SAMPLES_PLACE];
-    const char *end = "";
+    char place[SAMPLES_PLACE], end[60] = "";
+    int exchanged = 0;
     for (int pair = 0; pair < PAIRS; pair++)
         if ((a == axes[pair][0] || a == axes[pair][1]) && axes[pair][1] < p->dim &&
             inside_exchanged(s, p, axes[pair][0], axes[pair][1]))
-            end = exchanged[pair];
+            exchanged = 1 + pair;
+    if (exchanged)
+        snprintf(end, sizeof end, "; with %c and %c exchanged all points are inside", "xyz"[axes[exchanged - 1][0]],
+                 "xyz"[axes[exchanged - 1][1]]);
     samples_place(s, first, place);
-    return refuse(why, STATUS_INPUT, "%.150s, line %ld: %s m: %c is outside %g to %g m%s", s->path,
-                  samples_line(s, first), place, "xyz"[a], lo, hi, end);
+    refuse(why, STATUS_INPUT, "%.150s, line %ld: %s m: %c is outside %g to %g m%s", s->path, samples_line(s, first),
+           place, "xyz"[a], lo, hi, end);
+    why->exchanged = exchanged;
+    return why->status;
 }
 
 static int check_inside(const struct samples *s, const struct problem *p, struct failure *why) {

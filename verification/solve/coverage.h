@@ -15,10 +15,6 @@ struct samples;
  * lattice with a missing point. */
 int coverage_check(const struct samples *s, const struct image *image, const double *d, struct failure *why);
 
-/* The pair of axes (0: x and y, 1: y and z, 2: x and z) with which exchanged all points of an answer that was refused
- * are inside; -1: none. */
-int coverage_exchanged(const struct failure *why);
-
 /* Refuses two points within 1e-9 of the extent along each axis: two values at one position indicate unfinished
  * output. */
 int coverage_check_once(const struct samples *s, const struct problem *p, struct failure *why);

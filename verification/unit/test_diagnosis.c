@@ -112,6 +112,7 @@ static void faults_are_named_with_their_size(void **state) {
         {"rod-cosine", 0.025, {FAULT_LEAK, X_LO}, 0.3, 30, "side x_lo lost heat"},
         {"rod-cosine", 0.025, {FAULT_LEAK, FAULT_ALL_SIDES}, 0.05, 5, "insulated sides, or those of given flux,"},
         {"plate-cooling", 0.025, {FAULT_NEAR_WALL, 0}, 0.5, 0.5, "half a cell inside"},
+        {"plate-driven", 0.05, {FAULT_NEAR_WALL, 1}, 0.5, 0.5, "Robin walls across y took"},
         {"rod-step", 0.025, {FAULT_OFFSET, 0}, -0.07, -0.07, "all temperatures are 0.07 K too low"},
         {"plate", 0.0025, {FAULT_OFFSET, 0}, 273.15, 273.15, "degrees Celsius and kelvin"},
         {"melt", 0.0125, {FAULT_FRONT, AT_FRONT_LOST}, 1, 100, "latent heat were lost"},

@@ -125,6 +125,23 @@ static void air_is_of_robin_sides(void **state) {
 
 /* A rod has no y, a body of one material no second, an oblong cannot be transposed, and an absent part has no
  * fault. */
+/* plate-cooling is cooled at x_hi and y_hi. */
+static void half_a_cell_at_robin_walls_is_across_an_axis(void **state) {
+    (void)state;
+    const struct problem p = problem_of("plate-cooling");
+    static const int places[] = {0, 1, FAULT_ALL_AXES};
+    for (int i = 0; i < 3; i++) {
+        struct faulty f;
+        assert_true(faulty_make(&p, (struct fault){FAULT_NEAR_WALL, places[i]}, 0.0125, &f));
+        for (int a = 0; a < 2; a++) {
+            const double change = f.problem.robin[2 * a + 1] / p.robin[2 * a + 1];
+            assert_near(change, i == 1 - a ? 1 : 1 / (1 - 0.0125 * p.robin[X_HI] / p.material[0].k[a]), 1e-15);
+        }
+    }
+    assert_false(fault_applies(&p, (struct fault){FAULT_NEAR_WALL, 2}));
+    assert_false(fault_applies(&p, (struct fault){FAULT_NEAR_WALL, FAULT_BOTH_AXES}));
+}
+
 static void faults_apply_to_existing_parts_only(void **state) {
     (void)state;
     static const struct {
@@ -327,6 +344,7 @@ int main(void) {
         cmocka_unit_test(sides_and_corners_have_faults_of_their_own),
         cmocka_unit_test(held_sides_move_and_sides_of_given_flux_leak),
         cmocka_unit_test(air_is_of_robin_sides),
+        cmocka_unit_test(half_a_cell_at_robin_walls_is_across_an_axis),
         cmocka_unit_test(faults_apply_to_existing_parts_only),
         cmocka_unit_test(stretched_bodies_keep_walls_and_sources),
         cmocka_unit_test(starts_move_along_y),

@@ -293,7 +293,7 @@ static void failing_gates_are_diagnosed(void **state) {
     assert_int_equal(refused.found.fault.kind, FAULT_UNSTABLE);
     measures_fail(&refused, &(struct failure){.status = STATUS_NUMERICAL, .text = "status 1"});
     assert_false(refused.found.named);
-    measures_fail(&refused, &(struct failure){STATUS_NUMERICAL, "; with x and z exchanged all points are inside"});
+    measures_fail(&refused, &(struct failure){.status = STATUS_INPUT, .exchanged = 3});
     assert_has(refused.found.what, "x and z were swapped");
     gates_diagnose(&g);
     assert_string_equal(g.diagnosis, "as if k_x and k_y were in each other's place (2 of 2 rows that do not pass)");
@@ -390,7 +390,7 @@ static void overflow_is_firm_where_no_row_has_another_answer(void **state) {
     struct gates g = {.declared = 3, .executed = 3, .result = result};
     for (int i = 0; i < 3; i++)
         result[i].gate.measure = "order",
-        measures_fail(&result[i].measured, &(struct failure){i ? STATUS_NUMERICAL : STATUS_UNSTABLE, "T = nan"});
+        measures_fail(&result[i].measured, &(struct failure){.status = i ? STATUS_NUMERICAL : STATUS_UNSTABLE});
     gates_diagnose(&g);
     assert_string_equal(g.diagnosis, "temperatures overflow, as in an unstable run (1 of 3 rows that do not pass)");
     result[2].measured.value = 1.2;

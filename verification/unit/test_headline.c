@@ -133,6 +133,63 @@ static void rows_join_whole_steps(void **state) {
     }
 }
 
+/* The diagnosis of a row whose rungs, the fine one first, end late by these numbers of steps. */
+static struct diagnosis ended(const char *scene, double dx, double fine, double coarse) {
+    struct problem p = problem_of(scene);
+    struct rung r[2];
+    struct diagnosis d;
+    for (int k = 0; k < 2; k++)
+        solve(scene, &p, (struct fault){FAULT_CLOCK, 0}, k ? coarse : fine, k ? 2 * dx : dx, &r[k]);
+    diagnosis_find(&p, &r[0].at, &r[1].at, &d);
+    for (int k = 0; k < 2; k++) forget(&r[k]);
+    return d;
+}
+
+/* One step late at the fine rung, at the coarse one, at none: the last row has the error of a correct code, which any
+ * small fault explains, and votes for nothing. */
+static void rows_that_are_right_have_no_vote(void **state) {
+    (void)state;
+    struct diagnosis found[ROWS] = {ended(scenes_of[0], spacings[0], 1, 0), ended(scenes_of[1], spacings[1], 0, 1),
+                                    ended(scenes_of[2], spacings[2], 0, 0)};
+    struct headline h = headline_choose(found, ROWS, NULL, NULL);
+    print_message("%s, %d votes\n", h.fault.what, h.votes);
+    assert_int_equal(h.fault.fault.kind, FAULT_SOME_STEPS);
+    assert_int_equal(h.votes, 2);
+    assert_near(headline_share(&h, &found[2]), 0, 0);
+    forget_rows(found);
+}
+
+/* Half the steps are as good as twice rho c where no data change in time; one row of many with such data decides. */
+static void half_the_steps_are_not_twice_the_capacity(void **state) {
+    (void)state;
+    enum { MANY = 40 };
+    static const char *const scene[] = {"rod-cooling", "rod-driven"};
+    static const double dx[] = {0.005, 0.025};
+    struct diagnosis found[2], row[MANY];
+    for (int i = 0; i < 2; i++) {
+        struct problem p = problem_of(scene[i]);
+        const double half = -0.5 * p.t_end * problem_diffusivity(&p) / (0.2 * dx[i] * dx[i]);
+        found[i] = ended(scene[i], dx[i], half, half / 4);
+    }
+    for (int i = 0; i < MANY; i++) row[i] = found[i == MANY - 1];
+    for (int all = 0; all < 2; all++) {
+        struct headline h = headline_choose(row, MANY - 1 + all, NULL, NULL);
+        print_message("%s, %d votes\n", h.fault.what, h.votes);
+        assert_int_equal(h.votes, MANY - 1 + all);
+        assert_has(h.fault.what, all ? "early: half the steps" : "as if rho c were ");
+    }
+    for (int i = 0; i < 2; i++) free(found[i].evidence);
+}
+
+/* With a coefficient of the wrong sign T grows, and some runs overflow. */
+static void an_overflow_joins_a_wrong_sign(void **state) {
+    (void)state;
+    const struct diagnosis found[] = {of(FAULT_AIR_SIGN, 0, 1, ""), of(FAULT_UNSTABLE, 0, 0, "")};
+    struct headline h = headline_choose(found, 2, NULL, NULL);
+    assert_int_equal(h.fault.fault.kind, FAULT_AIR_SIGN);
+    assert_int_equal(h.votes, 2);
+}
+
 /* k, rho c and the end time are named together if T depends on k t/rho c alone; a Robin wall, a source and given
  * fluxes leave rho c and the end time. */
 static void faults_of_one_effect_are_named_together(void **state) {
@@ -338,6 +395,9 @@ int main(void) {
         cmocka_unit_test(one_fault_explains_all_rows),
         cmocka_unit_test(rows_join_whole_steps),
         cmocka_unit_test(faults_of_one_effect_are_named_together),
+        cmocka_unit_test(rows_that_are_right_have_no_vote),
+        cmocka_unit_test(half_the_steps_are_not_twice_the_capacity),
+        cmocka_unit_test(an_overflow_joins_a_wrong_sign),
         cmocka_unit_test(rows_that_disagree_name_nothing_firmly),
         cmocka_unit_test(rows_that_pass_decide),
         cmocka_unit_test(a_fault_of_all_rows_is_better_than_one_of_a_class),
