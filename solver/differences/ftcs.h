@@ -47,6 +47,7 @@ struct ftcs_grid {
     double *weight;                 /* K J^-1, by cell: 1/(rho_c V) */
     ptrdiff_t along[DIM_MAX], base; /* offsets in C and weight, as stride and corner; 0 where they do not vary */
     double *cross;                  /* K s^-1, by cell without ghosts: fluxes of a tensor (ftcs_cross.c); else NULL */
+    unsigned insulated;             /* 1 << side: n.K grad T = 0 there (ftcs_cross.c) */
     double *flux[DIM_MAX];          /* K m s^-1, by corner or lower face of each cell */
     double *K[DIM_MAX][DIM_MAX];    /* m^2 s^-1, there; NULL: constant */
     double *law;                    /* k(T): theta, W m^-1, or with other means than kirchhoff k, W m^-1 K^-1 */

@@ -95,6 +95,7 @@ void ftcs_cross_make(struct ftcs_grid *g) {
     g->cross = reserve(g, (size_t)g->n[0] * (size_t)g->n[1] * (size_t)g->n[2]);
     for (int a = 0; a < g->p->dim; a++) g->flux[a] = reserve(g, g->size);
     for (int a = 0; a < g->p->dim && g->p->direction; a++) make_row(g, a);
+    for (int s = 0; s < SIDES && !g->p->is_even; s++) g->insulated |= (unsigned)(g->p->side[s] == NEUMANN) << s;
 }
 
 /* ---- Ghosts ---- */
@@ -144,8 +145,7 @@ static void corner_slopes(const struct ftcs_grid *g, const ptrdiff_t *around, co
 
 /* 1 if i is 0 or `last` along a, and an insulated wall is there. */
 static int is_insulated(const struct ftcs_grid *g, int a, int i, int last) {
-    const enum side_kind *side = &g->p->side[2 * a];
-    return !g->p->is_even && ((i == 0 && side[0] == NEUMANN) || (i == last && side[1] == NEUMANN));
+    return (i == 0 && g->insulated >> 2 * a & 1) || (i == last && g->insulated >> (2 * a + 1) & 1);
 }
 
 /* Adds T_a of an insulated wall in the plane, which even images lack: half of it where the slope is the mean of the
@@ -170,7 +170,7 @@ static void corner_fluxes(const struct ftcs_grid *g, double constant[DIM_MAX][DI
     do {
         const ptrdiff_t at = ftcs_at(g, i);
         corner_slopes(g, around, T + at, slope);
-        for (int a = 0; a < g->p->dim; a++)
+        for (int a = 0; a < g->p->dim && g->insulated; a++)
             if (is_insulated(g, a, i[a], g->n[a])) insulate(constant, a, 1, slope);
         for (int a = 0; a < g->p->dim; a++) g->flux[a][at] = along(g, constant, a, at, slope);
     } while (next(g, (1u << g->p->dim) - 1, i));
@@ -183,7 +183,7 @@ static void face_fluxes(const struct ftcs_grid *g, double constant[DIM_MAX][DIM_
     do {
         const ptrdiff_t at = ftcs_at(g, i);
         face_slopes(g, a, T + at, slope);
-        for (int k = 1; k <= g->p->dim; k++) { /* a wall that the face is on comes last */
+        for (int k = 1; k <= g->p->dim && g->insulated; k++) { /* a wall that the face is on comes last */
             const int b = (a + k) % g->p->dim, on = a == b;
             if (is_insulated(g, b, i[b], g->n[b] - !on)) insulate(constant, b, on ? 1 : 0.5, slope);
         }

@@ -117,7 +117,7 @@ int particles_check(const struct problem *p, const struct options *o, const stru
         {tensor && !s->tensor, METHOD, "a diagonal conductivity only, the scene has k_xy", "so_ssph or ftcs"},
         {tensor && law, METHOD, "a tensor that depends on temperature is not supported", "k_xy = 0"},
         {tensor && (has_wall(p, NEUMANN) || exchange), METHOD,
-         "with k_xy T is not even beyond a wall of given flux: n.K grad T is given, not n.grad T", "held walls"},
+         "with k_xy T is not even beyond a wall of given flux: n.K grad T is given, not n.grad T", "ftcs"},
         {tensor && !periodic && (!mirror || cut), WALLS, "with k_xy T is odd beyond a held plane wall",
          "mirror, no --shift"},
         {tensor && !periodic && o->layout != LAYOUT_LATTICE && o->layout != LAYOUT_JITTER, LAYOUT,
