@@ -289,7 +289,7 @@ $(BUILD)/peers/cell_lists: reports/bench/cell_lists.c $(LIBRARY)
 
 # The longest come first, so that all processors are busy to the end.
 SHELL_TESTS := $(addprefix scripts/tests/,examples.bats words.bats library.bats programs.bats limits.bats)
-LONG_TESTS  := $(addprefix $(BUILD)/unit/test_,battery quantity diagnosis ftcs limit_options references oracle)
+LONG_TESTS  := $(addprefix $(BUILD)/unit/test_,battery quantity diagnosis references ftcs gate_rows oracle)
 check: test
 test: $(TESTS) all examples ## Run the unit tests and, where bats is installed, the tests of the shell
 	$(Q)PROGRAM=$(abspath $(BUILD)/heatladder) EXAMPLES=$(abspath $(BUILD)/examples) scripts/run_tests \

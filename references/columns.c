@@ -125,7 +125,7 @@ static double mean_of_points(const struct problem *p, const double *lo, const do
 /* Average over the part of the body from lo to hi.  The data of a scene may have a kink at an interface, and on a rod
  * or in the plane a peak in the middle. */
 static double mean(const struct problem *p, int interface_axis, const double *lo, const double *hi) {
-    struct cubature_knots knots = {.grades = 0};
+    struct cubature_knots knots = {.cell = p->dim > 1};
     double volume = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (p->dim == 3 ? hi[2] - lo[2] : 1);
     double part = p->shape ? shape_clipped(p, lo, hi) / volume : 1;
     if (part < 1 - 1e-9 && part > 1e-12) return clipped(p, lo, hi);

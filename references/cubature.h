@@ -13,6 +13,7 @@ enum { CUBATURE_KNOTS = 8 };
 struct cubature_knots {
     double accuracy; /* in space: accepted difference of two rules, relative to the largest |f|; 0: 1e-14, in space
                         1e-11 */
+    int cell;        /* 1: a cell of a mesh, over which f varies little */
     int grades;      /* maximum number of graded parts on either side of a knot, each a quarter of the next; <= 0: the
                         built-in maximum */
     int count[DIM_MAX];

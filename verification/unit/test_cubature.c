@@ -42,6 +42,39 @@ static void knot_resolves_a_narrow_pulse(void **state) {
     assert_near(cubature_mean(pulse, &c, 1, lo, hi, &none).value, 0, 1e-300); /* without a knot the pulse is missed */
 }
 
+struct counted {
+    int dim;
+    int *values;
+};
+
+static struct approx growing(const void *data, const double *x) {
+    const struct counted *c = data;
+    double sum = 0;
+    for (int a = 0; a < c->dim; a++) sum += x[a];
+    ++*c->values;
+    return (struct approx){exp(sum), 0};
+}
+
+/* exp(x + y + z), h/l = h: a cell of 0.1 takes 4^2 + 6^2 or 3^3 + 4^3 values, one of 1 is halved. */
+static void small_cells_take_two_rules(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++)
+        for (int large = 0; large < 2; large++) {
+            const double h = large ? 1 : 0.1, lo[DIM_MAX] = {0.2, 0.2, 0.2},
+                         hi[DIM_MAX] = {0.2 + h, 0.2 + h, 0.2 + h};
+            const double exact = pow(exp(0.2) * expm1(h) / h, dim);
+            int values = 0;
+            const struct counted c = {dim, &values};
+            struct approx mean = cubature_mean(growing, &c, dim, lo, hi, &(struct cubature_knots){.cell = 1});
+            assert_near(mean.value, exact, 1e-13 * exact);
+            assert_order(fabs(mean.value - exact), <=, mean.error);
+            if (large)
+                assert_order(values, >, dim == 3 ? 91 : 52);
+            else
+                assert_int_equal(values, dim == 3 ? 91 : 52);
+        }
+}
+
 /* Shapes of diffusion, of any width. */
 static struct approx shape(const void *data, const double x[2]) {
     const struct feature *c = data;
@@ -76,6 +109,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(polynomials_are_exact),
         cmocka_unit_test(knot_resolves_a_narrow_pulse),
+        cmocka_unit_test(small_cells_take_two_rules),
         cmocka_unit_test(cubature_bounds_hold_at_every_width),
     };
     return cmocka_run_group_tests_name("cubature", tests, NULL, NULL);
