@@ -13,6 +13,9 @@ with_module() { # module, example
 @test "heat_petsc.py" { with_module petsc4py heat_petsc.py; }
 @test "heat_sfepy.py" { few=contact/steady with_module sfepy heat_sfepy.py; } # its runs take seconds
 
+@test "heat_skfem.py" { with_module skfem heat_skfem.py; }
+@test "heat_fipy.py" { few=walls/cooled with_module fipy heat_fipy.py; } # its runs take seconds
+
 @test "heat_dealii.cc, which skips a field" {
     [ -x "$examples/heat_dealii" ] || skip "deal.II is not here (make setup-peers)"
     judge "$examples/heat_dealii" --only "$few"
