@@ -12,6 +12,8 @@ with_module() { # module, example
 @test "heat_getfem.py" { with_module getfem heat_getfem.py; }
 @test "heat_petsc.py" { with_module petsc4py heat_petsc.py; }
 @test "heat_sfepy.py" { few=contact/steady with_module sfepy heat_sfepy.py; } # its runs take seconds
+@test "heat_pypde.py" { few=walls/cooled,plane/corners with_module pde heat_pypde.py; } # materials: reports/README.md
+@test "heat_nutils.py" { few=contact/rod,periodic/wave with_module nutils heat_nutils.py; }
 
 @test "heat_skfem.py" { with_module skfem heat_skfem.py; }
 @test "heat_fipy.py" { few=walls/cooled with_module fipy heat_fipy.py; } # its runs take seconds
