@@ -835,6 +835,10 @@ double fault_scale(const struct problem *p, struct fault fault) {
     return unit == UNIT_LENGTH || fault.kind == FAULT_SAMPLES ? p->hi[a] - p->lo[a] : 1;
 }
 
+double fault_whole(const struct problem *p, struct fault fault) {
+    return fault.kind == FAULT_CLOCK || fault.kind == FAULT_RANGE ? fault_scale(p, fault) : 1;
+}
+
 double fault_probe(const struct problem *p, struct fault fault) {
     const struct fault_row *row = &fault_rows[fault.kind];
     if (row->probe > 0) return row->probe * fault_scale(p, fault);

@@ -91,6 +91,8 @@ int fault_can_be(const struct problem *p, struct fault fault, double size);
 
 /* The unit of probe and least: t_end, the extent along the fault's axis, or 1. */
 double fault_scale(const struct problem *p, struct fault fault);
+/* The size of 100 %: t_end, s, the difference of two walls, K, or 1. */
+double fault_whole(const struct problem *p, struct fault fault);
 /* The size at which the response is evaluated. */
 double fault_probe(const struct problem *p, struct fault fault);
 

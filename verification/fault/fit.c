@@ -161,9 +161,11 @@ static double drift(const struct fault_fit *c, const double unit[2]) {
 const char *const *fit_unit_names(enum fault_kind kind) {
     static const char *const part[] = {"%", NULL}, *const length[] = {"cells", NULL}, *const kelvin[] = {"K", NULL},
                              *const time[] = {"s", FIT_DIFFUSIVE, "steps", NULL},
-                             *const end[] = {"s", FIT_DIFFUSIVE, "steps", "%", NULL};
+                             *const end[] = {"s", FIT_DIFFUSIVE, "steps", "%", NULL},
+                             *const range[] = {"K", "%", NULL};
     const enum fault_unit unit = fault_rows[kind].unit;
     if (kind == FAULT_CLOCK) return end;
+    if (kind == FAULT_RANGE) return range;
     return unit == UNIT_TIME ? time : unit == UNIT_LENGTH ? length : unit == UNIT_KELVIN ? kelvin : part;
 }
 
@@ -171,7 +173,7 @@ double fit_unit(const struct fault_fit *c, const char *name, int rung) {
     const enum fault_unit unit = fault_rows[c->fault.kind].unit;
     if (unit == UNIT_TIME && strcmp(name, "steps") == 0) return c->step[rung];
     if (unit == UNIT_TIME && strcmp(name, FIT_DIFFUSIVE) == 0) return c->diffusive[rung];
-    if (unit == UNIT_TIME && *name == '%') return c->end;
+    if ((unit == UNIT_TIME || unit == UNIT_KELVIN) && *name == '%') return c->whole;
     return unit == UNIT_LENGTH || c->fault.kind == FAULT_SAMPLES ? c->cell[rung] : 1;
 }
 
@@ -212,7 +214,7 @@ static void find_unit(const struct problem *p, struct fault_fit *c, const struct
     if (row->unit == UNIT_TIME && !in_steps) prefer(c, FIT_DIFFUSIVE);
     if (c->fault.kind == FAULT_WALL_TIME) prefer(c, "s"); /* a phase */
     c->sides = fault_sides(p, c->fault);
-    c->end = p->t_end;
+    c->whole = fault_whole(p, c->fault);
     if (p->materials == 2) { /* effects at a contact are proportional to 1/k - 1/harmonic */
         double a = p->material[0].k[0], b = p->material[1].k[0], harmonic = (1 / a + 1 / b) / 2;
         c->geometric = (1 / sqrt(a * b) - harmonic) / (2 / (a + b) - harmonic);

@@ -52,7 +52,7 @@ struct fault_fit {
     struct fault fault;
     struct fit rung[2];
     double cell[2], step[2], diffusive[2]; /* units at the rungs: m; s, 0: unknown; dx^2/kappa, s */
-    double end;                            /* t_end, s */
+    double whole;                          /* fault_whole */
     double unit[2];                        /* the unit in which the size is most nearly constant from rung to rung */
     double drift;     /* |log| of the change of the size in it; INFINITY if the size is not constant */
     const char *name; /* the unit: "steps", "s", "dx^2/kappa", "cells", "K" or "%" */

@@ -320,7 +320,7 @@ void headline_print(const struct headline *h, const char *class, char text[HEADL
 static double size_at(const struct problem *p, const struct diagnosis *d, double dx, double dt) {
     double diffusive = dx * dx / problem_diffusivity(p);
     if (strcmp(d->unit, "cells") == 0) return d->size * dx;
-    if (strcmp(d->unit, "%") == 0) return d->size / 100 * (d->fault.kind == FAULT_CLOCK ? p->t_end : 1);
+    if (strcmp(d->unit, "%") == 0) return d->size / 100 * fault_whole(p, d->fault);
     if (strcmp(d->unit, "steps") == 0) return d->size * (dt > 0 ? dt : d->fourier * diffusive);
     if (strcmp(d->unit, FIT_DIFFUSIVE) == 0) return d->size * diffusive;
     return *d->unit ? d->size : 1;

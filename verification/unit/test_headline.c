@@ -284,6 +284,30 @@ static void fronts_that_are_displaced_have_two_names(void **state) {
     free(e);
 }
 
+/* Latent heat over a part of the difference of the walls: the range differs in K from row to row. */
+static void ranges_that_follow_the_walls_are_joined(void **state) {
+    (void)state;
+    struct diagnosis found[2];
+    for (int i = 0; i < 2; i++) {
+        found[i] = shown("melt", (struct fault){FAULT_MELTING_POINT, 0}, 0.2, 0.0125);
+        struct evidence *e = found[i].evidence;
+        struct fault_fit *c = e->fit;
+        int at = 0;
+        while (e->fit[at].fault.kind != FAULT_MELTING_POINT) at++;
+        *c = e->fit[at], e->n = 1; /* its response stands for that of a range */
+        c->fault.kind = FAULT_RANGE, c->whole = 1 + 2 * i;
+        for (int r = 0; r < 2 && i; r++) {
+            c->rung[r].size *= 3;
+            for (int m = 0; m < FIT_FIELDS; m++) c->rung[r].product[1][m] /= 3, c->rung[r].product[m][1] /= 3;
+        }
+    }
+    struct headline h = headline_choose(found, 2, NULL, NULL);
+    print_message("%s, %d votes\n", h.fault.what, h.votes);
+    assert_has(h.fault.what, "% of the difference of walls, above the melting point");
+    assert_int_equal(h.votes, 2);
+    for (int i = 0; i < 2; i++) free(found[i].evidence);
+}
+
 /* A source that is late by some seconds explains nearly as much. */
 static void a_source_that_keeps_its_first_value_is_not_of_another_time(void **state) {
     (void)state;
@@ -403,6 +427,7 @@ int main(void) {
         cmocka_unit_test(a_fault_of_all_rows_is_better_than_one_of_a_class),
         cmocka_unit_test(a_step_too_few_explains_walls_that_are_early),
         cmocka_unit_test(fronts_that_are_displaced_have_two_names),
+        cmocka_unit_test(ranges_that_follow_the_walls_are_joined),
         cmocka_unit_test(a_source_that_keeps_its_first_value_is_not_of_another_time),
         cmocka_unit_test(a_part_of_all_errors_is_not_firm),
         cmocka_unit_test(a_row_alone_speaks_for_others_if_it_is_sure),
