@@ -483,7 +483,7 @@ race: ## Run the quick gates on four threads under clang's race detector
 	+$(Q)$(MAKE) -s CC=clang BUILD=$(BUILD)/race CFLAGS='-O1 -g -fsanitize=thread' all
 	$(Q)$(RACE) $(BUILD)/race/heatladder verify --quick
 
-nightly: all examples ## No optimization, races, valgrind, coverage, fuzzers, ARM, all seeded faults: two hours on two cores
+nightly: all examples ## No optimization, races, valgrind, coverage, packages, fuzzers, ARM, all faults: two hours on two cores
 	+$(Q)MAKE='$(MAKE)' BUILD='$(BUILD)' scripts/nightly
 
 help: ## List the targets

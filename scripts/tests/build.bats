@@ -105,12 +105,12 @@ copy() { # the rest of the test is there
 
 @test "the static binary needs no library, and the wheel has it" {
     needs readelf
-    echo 'int main(void) { return 0; }' | cc -x c -c -o tiny.o -
-    mkdir -p b/static
+    echo 'int main(void) { return 0; }' | cc -x c -fPIC -c -o tiny.o -
+    mkdir -p b/static b/whole
     make -s -C "$tree" BUILD="$PWD/b" OBJECTS="$PWD/tiny.o" static
     run ! grep -q INTERP <(readelf -l b/static/heatladder)
     python=$("$tree/scripts/interpreter" zipfile)
     [ -n "$python" ] || skip "python3 is not here"
-    make -s -C "$tree" BUILD="$PWD/b" STATIC="$program" PYTHON3="$python" -o static wheel
-    "$python" -m zipfile -l b/wheel/dist/*.whl | grep -q heatladder/bin/heatladder
+    make -s -C "$tree" BUILD="$PWD/b" STATIC="$program" LIB_OBJECTS="$PWD/tiny.o" PYTHON3="$python" -o static wheel
+    for file in bin/heatladder lib/libheatladder.so; do "$python" -m zipfile -l b/wheel/dist/*.whl | grep -q "heatladder/$file"; done
 }
