@@ -112,7 +112,8 @@ static int unknown_option(const struct command *c, const char *name, struct fail
                       "unknown option --%s; --dx is the spacing along every axis, and --aspect R "
                       "makes dy = R dx",
                       name);
-    for (const struct option *o = c->own; o && o->name; o++) names[n++] = o->name;
+    for (const struct option *o = c->own; o && o->name; o++)
+        if (*o->name) names[n++] = o->name; /* not a heading */
     for (const struct option *o = command_options; o->name; o++)
         if (words_among(c->syntax->options, o->name)) names[n++] = o->name;
     const char *nearest = words_nearest(names, name);

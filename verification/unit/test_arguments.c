@@ -122,6 +122,7 @@ static const struct {
     /* names of options */
     {"run rod-step ftcs --dx 0.1 --krenel cubic", "unknown option --krenel; did you mean --kernel? (see: "},
     {"run rod-step ftcs --xyzzyplugh 1", "unknown option --xyzzyplugh (see: heatladder run --help)"},
+    {"reference rod-step --q 3", "unknown option --q (see: heatladder reference --help)"},
     {"verify --set kappa=1", "--set has no meaning for verify (see: heatladder verify --help)"},
     {"run rod-step ftcs --dx 0.1 --order 3", "--order has no meaning for ftcs; it has for so_ssph"},
     {"run rod-step mine --dx 0.1 --solver '{case}{out}' --kernel cubic", "--kernel has no meaning for mine"},
