@@ -22,7 +22,7 @@ struct case_options {
 /* cases: with their number, judge: the command that judges their answers. */
 static int say(const struct case_options *r, int cases, const char *about, const char *judge, struct failure *why) {
     struct output page;
-    printf("%s; when each has its out.csv beside it:\n  %s\n", about, judge);
+    printf("%s; once each has its out.csv beside it, judge them by\n  %s\n", about, judge);
     if (!r->json_path) return STATUS_OK;
     struct json j = json_on(output_open(&page, "%s", r->json_path));
     json_add(&j, "into %s|cases %d|judge %s", r->into, cases, judge);
@@ -41,7 +41,7 @@ static int write_battery(const struct case_options *r, struct failure *why) {
     gates_refine(&g, r->battery.rungs, 0);
     if (!status) status = battery_write(&g, seeds, r->into, &cases, why);
     if (!status) {
-        snprintf(about, sizeof about, "%d gates: %s/cases.txt names %d cases", g.declared, r->into, cases);
+        snprintf(about, sizeof about, "%d gates: %s/cases.txt lists %d cases", g.declared, r->into, cases);
         snprintf(judge, sizeof judge, "heatladder verify --order %d --seed %lu%s --results %s", order, seed, words,
                  r->into);
         status = say(r, cases, about, judge, why);
@@ -67,7 +67,7 @@ static int act(const void *options, struct failure *why) {
                       &e->options, c->rungs.dx.text, &written, why))
         return why->status;
     if (seeds) snprintf(draws, sizeof draws, " --seeds %d", seeds);
-    snprintf(about, sizeof about, "%d case%s of %s in %s, named in %s/cases.txt", written, written == 1 ? "" : "s",
+    snprintf(about, sizeof about, "%d case%s of %s in %s, listed in %s/cases.txt", written, written == 1 ? "" : "s",
              e->scene->name, r->into, r->into);
     snprintf(judge, sizeof judge, "heatladder ladder %s NAME%s --results %s", e->scene->name, draws, r->into);
     return say(r, written, about, judge, why);

@@ -133,7 +133,7 @@ static void announce(const struct verify_options *r, struct gates *g) {
     if (runs == 1)
         fprintf(stderr, "heatladder: the program runs once\n");
     else
-        fprintf(stderr, "heatladder: the program runs at most %d times, %s; a row that fails runs it again\n", runs,
+        fprintf(stderr, "heatladder: up to %d runs of the program, %s, and more for each row that fails\n", runs,
                 side);
 }
 

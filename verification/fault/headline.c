@@ -122,6 +122,7 @@ static int sizes_of(struct hypothesis *h, const struct diagnosis *row, int faili
         const struct fault_fit *c = best_fit(row[i].evidence, h, 1, &share);
         if (!c) continue;
         size[n++] = c->rung[0].size / fit_unit(c, h->unit, 0);
+        if (h->fault.kind == FAULT_MEAN) share *= 1 - c->geometric; /* shows which of the other means */
         if (share > most) most = share, h->shown = c;
     }
     gsl_sort(size, 1, n);

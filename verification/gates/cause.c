@@ -279,7 +279,7 @@ static void print_left(const struct headline *h, struct measured *m) {
         snprintf(m->diagnosis, sizeof m->diagnosis, "%s%s (%.0f %% of the error)", h->is_firm ? "" : "perhaps ",
                  h->fault.what, 100 * share);
     else if (h->is_firm)
-        snprintf(m->diagnosis, sizeof m->diagnosis, "the diagnosis of all rows explains %.0f %% of this error",
+        snprintf(m->diagnosis, sizeof m->diagnosis, "the fault of the other rows explains %.0f %% of this error",
                  100 * share);
 }
 

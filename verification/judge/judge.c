@@ -57,6 +57,8 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Advice for an order alone; a row that fails by its ceiling has none. */
+static const char NARROWER[] = ": more or finer rungs narrow it (verify: --rungs N)";
 static const double SPAN_LEAST = 4, FLOOR_MOST = 0.1, SIGNIFICANCE = 0.01, SURE = 0.003, ROUNDED = 1 - 1e-9;
 static const double FALLEN = 1 - 1e-6; /* a smaller decrease is only a difference in rounding */
 
@@ -171,7 +173,7 @@ enum verdict judge_order(const struct judged *l, double lo, double hi, char *rea
         return VERDICT_INCONCLUSIVE;
     }
     if (!(lo <= s.ci[0] && s.ci[1] <= hi)) {
-        snprintf(rest, room, "reaches past [%g, %g]: more or finer rungs narrow it (verify: --rungs N)", lo, hi);
+        snprintf(rest, room, "reaches past [%g, %g]%s", lo, hi, NARROWER);
         return VERDICT_INCONCLUSIVE;
     }
     snprintf(rest, room, "is inside [%g, %g]", lo, hi);
@@ -193,6 +195,8 @@ void judge_ceiling(double error, double ceiling, enum verdict *verdict, char *re
     else
         snprintf(cause, sizeof cause, "no error to compare with the ceiling %.4g", ceiling);
     snprintf(rest, sizeof rest, "%.399s", reason);
+    char *narrower = strstr(rest, NARROWER);
+    if (narrower) memmove(narrower, narrower + strlen(NARROWER), strlen(narrower + strlen(NARROWER)) + 1);
     snprintf(reason, size, "%s%s%s", passed ? cause : rest, apart, passed ? rest : cause); /* the cause first */
 }
 

@@ -45,11 +45,11 @@ static void print_all(const struct gates *g) {
     table_end(&t, stdout);
 }
 
-/* "10/11 fail, 1 skipped"; returns 1 if some rows of the group are skipped and others are not. */
+/* "10/11 pass, 1 skipped"; returns 1 if some rows of the group are skipped and others are not. */
 static int count_group(const struct gates_tally *t, char text[WIDE + 1]) {
     int some = t->judged && t->skipped;
     snprintf(text, WIDE + 1, "skipped");
-    if (t->judged) snprintf(text, WIDE + 1, "%3d/%d%s", t->passed, t->judged, t->passed == t->judged ? "" : " fail");
+    if (t->judged) snprintf(text, WIDE + 1, "%3d/%d%s", t->passed, t->judged, t->passed == t->judged ? "" : " pass");
     if (some) words_add(text, WIDE + 1, ", %d skipped", t->skipped);
     return some;
 }

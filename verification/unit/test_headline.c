@@ -308,6 +308,20 @@ static void ranges_that_follow_the_walls_are_joined(void **state) {
     for (int i = 0; i < 2; i++) free(found[i].evidence);
 }
 
+/* Conductivities a thousand apart do not show which mean it is; ten apart, with a smaller share, they do. */
+static void the_row_that_tells_means_apart_names_the_mean(void **state) {
+    (void)state;
+    struct diagnosis found[2];
+    for (int i = 0; i < 2; i++) found[i] = shown("rod-contact", (struct fault){FAULT_MEAN, 0}, 1, 0.01);
+    struct fault_fit *far = found[1].evidence->fit;
+    while (far->fault.kind != FAULT_MEAN) far++;
+    far->geometric = 0.94, far->rung[0].share = 1;
+    struct headline h = headline_choose(found, 2, NULL, NULL);
+    print_message("%s\n", h.fault.what);
+    assert_has(h.fault.what, "as if the arithmetic mean");
+    for (int i = 0; i < 2; i++) free(found[i].evidence);
+}
+
 /* A source that is late by some seconds explains nearly as much. */
 static void a_source_that_keeps_its_first_value_is_not_of_another_time(void **state) {
     (void)state;
@@ -428,6 +442,7 @@ int main(void) {
         cmocka_unit_test(a_step_too_few_explains_walls_that_are_early),
         cmocka_unit_test(fronts_that_are_displaced_have_two_names),
         cmocka_unit_test(ranges_that_follow_the_walls_are_joined),
+        cmocka_unit_test(the_row_that_tells_means_apart_names_the_mean),
         cmocka_unit_test(a_source_that_keeps_its_first_value_is_not_of_another_time),
         cmocka_unit_test(a_part_of_all_errors_is_not_firm),
         cmocka_unit_test(a_row_alone_speaks_for_others_if_it_is_sure),

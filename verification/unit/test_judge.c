@@ -169,6 +169,19 @@ static void synthetic_ladders_get_their_verdict(void **state) {
     }
 }
 
+static void more_rungs_are_no_advice_above_the_ceiling(void **state) {
+    (void)state;
+    const double x[4] = {8, 4, 2, 1}, error[4] = {90, 11, 5.6, 0.7};
+    struct judged l = {x, error, 4, 0, NULL};
+    char reason[240];
+    enum verdict verdict = judge_order(&l, 1.9, 2.1, reason, sizeof reason);
+    assert_int_equal(verdict, VERDICT_INCONCLUSIVE);
+    assert_has(reason, "reaches past [1.9, 2.1]: more or finer rungs narrow it (verify: --rungs N)");
+    judge_ceiling(0.7, 0.5, &verdict, reason, sizeof reason);
+    assert_int_equal(verdict, VERDICT_FAIL);
+    assert_has(reason, "reaches past [1.9, 2.1]; the error 0.7 is above its ceiling 0.5");
+}
+
 static void errors_that_do_not_fall_are_named(void **state) {
     (void)state;
     const double x[5] = {16, 8, 4, 2, 1}, error[5] = {70, 30, 16, 17.5, 2};
@@ -231,9 +244,13 @@ static void roughness_equals_hand_calculation(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(synthetic_ladders_get_their_verdict), cmocka_unit_test(errors_that_do_not_fall_are_named),
-        cmocka_unit_test(fine_slope_equals_hand_calculation),  cmocka_unit_test(error_floor_equals_hand_calculation),
-        cmocka_unit_test(verdict_is_independent_of_units),     cmocka_unit_test(roughness_equals_hand_calculation),
+        cmocka_unit_test(synthetic_ladders_get_their_verdict),
+        cmocka_unit_test(more_rungs_are_no_advice_above_the_ceiling),
+        cmocka_unit_test(errors_that_do_not_fall_are_named),
+        cmocka_unit_test(fine_slope_equals_hand_calculation),
+        cmocka_unit_test(error_floor_equals_hand_calculation),
+        cmocka_unit_test(verdict_is_independent_of_units),
+        cmocka_unit_test(roughness_equals_hand_calculation),
     };
     return cmocka_run_group_tests_name("judge", tests, NULL, NULL);
 }

@@ -10,6 +10,7 @@
 #include "verification/fault/fit.h"
 #include "verification/fault/melting.h"
 
+#include "verification/unit/diagnosed_problems.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
@@ -125,6 +126,21 @@ static void response_extrapolates_linearly_to_the_wall(void **state) {
             field_free(&f);
             response_lattice_free(&l);
         }
+}
+
+/* A face of the arithmetic mean has 250 times the harmonic mean's rate: Euler's steps are unstable. */
+static void a_mean_of_conductivities_a_thousand_apart_has_a_response(void **state) {
+    (void)state;
+    struct problem p = problem_of("wall-composite");
+    struct response_lattice l;
+    struct response r;
+    for (int m = 0; m < 2; m++) p.material[m].k[0] = p.material[m].rho_c = m ? 0.001 : 1;
+    p.t_end = 0.1;
+    assert_int_equal(response_lattice_create(&p, &l), 0);
+    assert_int_equal(response_take(&p, &l, (struct fault){FAULT_MEAN, 0}, 0, &r), 0);
+    for (size_t i = 0; i < r.T.n; i++) assert_order(fabs(r.T.T[i]), <, 2);
+    response_free(&r);
+    response_lattice_free(&l);
 }
 
 static void a_response_is_per_unit_of_the_size(void **state) {
@@ -376,6 +392,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(response_lattice_decays_one_mode),
         cmocka_unit_test(response_extrapolates_linearly_to_the_wall),
+        cmocka_unit_test(a_mean_of_conductivities_a_thousand_apart_has_a_response),
         cmocka_unit_test(a_response_is_per_unit_of_the_size),
         cmocka_unit_test(a_response_in_the_plane_has_no_error_of_the_base),
         cmocka_unit_test(faces_lie_on_jumps_and_interfaces),
