@@ -75,8 +75,9 @@ static void find_fault(const struct experiment *e, const struct ladder *l, struc
         if (!(dt > 0) && kept->steps > 0) dt = kept->time / (double)kept->steps;
         rung[k] = (struct diagnosis_rung){mapped ? &given[k] : kept, exact[k], l->x[l->n - 1 - k], dt, mean};
     }
-    if (!diagnosis_unstable(&rung[0], d) && !diagnosis_unstable(&rung[1], d))
-        diagnosis_find(mapped ? &image.problem : &e->problem, &rung[0], &rung[1], d);
+    const struct problem *p = mapped ? &image.problem : &e->problem;
+    if (!diagnosis_unstable(&rung[0], d) && !diagnosis_unstable(&rung[1], d) && !diagnosis_cut(p, &rung[0], d))
+        diagnosis_find(p, &rung[0], &rung[1], d);
     if (late != 0) diagnosis_whole_steps(late, d);
     if (!mapped && d->named && d->fault.kind == FAULT_OFFSET) {
         d->size *= mapping_scale(&e->program.map); /* in the temperatures of the case */

@@ -187,6 +187,37 @@ int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
     return 1;
 }
 
+/* A few round-off errors of the largest value: temperatures mapped back to the scene (references/mapping.h) have
+ * them. */
+static const double CLOSE = 16 * DBL_EPSILON;
+
+int diagnosis_cut(const struct problem *p, const struct diagnosis_rung *r, struct diagnosis *d) {
+    enum { LEAST = 3, PART = 50 };     /* points; of all: mirrored ones are equal too */
+    static const double BEYOND = 0.01; /* of the solution's range: more than rounding leaves */
+    const struct field *f = r->field;
+    const double off = CLOSE * field_largest(f);
+    double lo = INFINITY, hi = -INFINITY;
+    for (size_t i = 0; i < f->n; i++)
+        if (isfinite(r->exact[i])) lo = fmin(lo, r->exact[i]), hi = fmax(hi, r->exact[i]);
+    for (int at = CUT_BELOW; at <= CUT_ABOVE; at++) {
+        const double sign = at == CUT_BELOW ? 1 : -1;
+        double last = INFINITY;
+        int n = 0;
+        for (size_t i = 0; i < f->n; i++) last = fmin(last, sign * f->T[i]);
+        for (size_t i = 0; i < f->n; i++) {
+            double x[DIM_MAX];
+            field_place(f, i, x);
+            n += sign * f->T[i] - last <= off && last - sign * r->exact[i] > BEYOND * (hi - lo) &&
+                 fabs(f->T[i] - p->initial(p, x)) > off; /* or nothing has reached the point */
+        }
+        if (n < LEAST || n * PART < (int)f->n) continue;
+        *d = (struct diagnosis){.named = 1, .fault = {FAULT_CUT, at}, .size = 1, .unit = "", .share = NAN};
+        wording_fault(d);
+        return 1;
+    }
+    return 0;
+}
+
 void diagnosis_overflow(struct diagnosis *d) {
     *d = (struct diagnosis){.named = 1, .fault = {FAULT_UNSTABLE, 0}, .unit = "", .share = NAN};
     wording_fault(d);
@@ -210,10 +241,6 @@ int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
  * An explicit step that changes T by less than half a unit of its last digit, u |T|, changes nothing.  The run
  * stalls where F times the second difference is that small.  The error of a steady state is therefore up to N^2/8
  * u/F for N cells, N^2 u at F = 1/8.  A larger error has another cause. */
-
-/* A few round-off errors of the largest value: temperatures mapped back to the scene (references/mapping.h) have
- * them. */
-static const double CLOSE = 16 * DBL_EPSILON;
 
 int diagnosis_rounding(const struct field *f, double error, double cells, struct diagnosis *d) {
     enum { MOST = 9, LEAST = 10, ROUND = 4 }; /* digits; ten values of more than ROUND are not round by chance */

@@ -64,7 +64,10 @@ void diagnosis_steps(const struct problem *p, const struct field *f, const doubl
 
 /* Names a run whose temperatures are far outside the range of the solution, or overflow.  Returns 1 if they are. */
 int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d);
-/* The same of an answer that was refused for its temperatures (STATUS_UNSTABLE). */
+/* Names an answer that repeats its lowest or highest temperature at points where the solution goes
+ * on, and the initial data differ.  Returns 1 if it does. */
+int diagnosis_cut(const struct problem *p, const struct diagnosis_rung *r, struct diagnosis *d);
+/* An unstable run: an answer that was refused for its temperatures (STATUS_UNSTABLE). */
 void diagnosis_overflow(struct diagnosis *d);
 /* The same of an answer with points that are inside only with two axes exchanged: pair 0: x and y, 1: y and z, 2: x
  * and z. */

@@ -128,6 +128,7 @@ static const struct fault_places
                  "k or rho c were of the other phase"},
     lost = {2, (const char *const[]){"lost: taken for 1", "in units of that of the first material"},
             "lost: taken for 1, or in units of the first material"},
+    cuts = {2, (const char *const[]){"below a lowest value", "above a highest value"}, "outside a range"},
     materials = {MATERIAL_MAX, (const char *const[]){"first", "second"}, "a"};
 
 /* An axis: one, both of a plane or all of a box. */

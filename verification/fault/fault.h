@@ -72,6 +72,9 @@ enum { AT_FRONT_LOST, AT_FRONT_KEPT, AT_FRONT_LOCKED, AT_FRONT_LOOSE };
 /* FAULT_WHOLE_STEPS */
 enum { STEPS_LATE, STEPS_EARLY };
 
+/* FAULT_CUT */
+enum { CUT_BELOW, CUT_ABOVE };
+
 /* FAULT_BESIDE: of one corner of a plane, 2 y + x with 1 for the upper end; of all corners, on the sides across x or
  * y.
  */

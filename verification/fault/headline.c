@@ -42,7 +42,7 @@ static int names(const struct diagnosis *row, const struct hypothesis *h) {
     /* a wall that heats itself lets T grow without bound */
     int grows = kind == FAULT_AIR_SIGN && row->fault.kind == FAULT_UNSTABLE;
     if (!row->named || (row->fault.kind != kind && !some && !early && !grows)) return 0;
-    if (kind == FAULT_WHOLE_STEPS) return row->fault.at == h->fault.at;
+    if (kind == FAULT_WHOLE_STEPS || kind == FAULT_CUT) return row->fault.at == h->fault.at;
     if (kind == FAULT_NOISE || kind == FAULT_UNSTABLE || fault_rows[kind].unit == UNIT_WHOLE) return 1;
     if (strcmp(row->unit, h->unit) != 0) return 0;
     if ((early || kind == FAULT_WALL_TIME) && strcmp(h->unit, "steps") == 0)

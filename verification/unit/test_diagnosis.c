@@ -423,6 +423,37 @@ static void unstable_runs_are_named(void **state) {
     forget(&r);
 }
 
+static double level(const struct problem *p, const double *x) {
+    (void)x;
+    return p->param[0];
+}
+
+/* From each end, by a tenth of the range. */
+static void temperatures_that_are_cut_off_are_named(void **state) {
+    (void)state;
+    for (int at = CUT_BELOW; at <= CUT_ABOVE; at++) {
+        struct problem p = problem_of("rod-gauss");
+        const double sign = at == CUT_BELOW ? 1 : -1;
+        struct rung r;
+        struct diagnosis d;
+        solve("rod-gauss", &p, (struct fault){FAULT_AMPLITUDE, 0}, 0, 0.1, &r);
+        assert_int_equal(diagnosis_cut(&p, &r.at, &d), 0);
+        double lo = r.exact[0], hi = r.exact[0];
+        for (size_t i = 0; i < r.field.n; i++) lo = fmin(lo, r.exact[i]), hi = fmax(hi, r.exact[i]);
+        const double end = at == CUT_BELOW ? lo + 0.1 * (hi - lo) : hi - 0.1 * (hi - lo);
+        for (size_t i = 0; i < r.field.n; i++) r.field.T[i] = sign * fmax(sign * r.field.T[i], sign * end);
+        assert_int_equal(diagnosis_cut(&p, &r.at, &d), 1);
+        assert_int_equal(d.fault.at, at);
+        assert_has(d.what, at == CUT_BELOW ? "temperatures below a lowest value were cut off" : "above a highest");
+        struct problem as_it_began = p;
+        as_it_began.initial = level, as_it_began.param[0] = end;
+        assert_int_equal(diagnosis_cut(&as_it_began, &r.at, &d), 0);
+        for (size_t i = 0; i < r.field.n; i++) r.exact[i] = r.field.T[i];
+        assert_int_equal(diagnosis_cut(&p, &r.at, &d), 0); /* a solution that is level there */
+        forget(&r);
+    }
+}
+
 /* 2 % more conductivity on a Gaussian of kappa t/sigma0^2 = c: T = (1 + 2 c)^-1/2 exp(-x^2/(2 sigma^2)) loses at x
  * the share 0.02 c (1 - x^2/sigma^2)/(1 + 2 c), and the mean of |1 - u^2| over a Gaussian is 4/sqrt(2 pi e). */
 static void response_is_the_relative_error_of_a_fault(void **state) {
@@ -520,6 +551,7 @@ int main(void) {
         cmocka_unit_test(sizes_follow_the_spacing),
         cmocka_unit_test(means_of_conductivities_are_distinguished),
         cmocka_unit_test(unstable_runs_are_named),
+        cmocka_unit_test(temperatures_that_are_cut_off_are_named),
         cmocka_unit_test(response_is_the_relative_error_of_a_fault),
         cmocka_unit_test(noise_is_not_named),
         cmocka_unit_test(large_answers_are_sampled),
