@@ -192,8 +192,8 @@ int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
 static const double CLOSE = 16 * DBL_EPSILON;
 
 int diagnosis_cut(const struct problem *p, const struct diagnosis_rung *r, struct diagnosis *d) {
-    enum { LEAST = 3, PART = 50 };     /* points; of all: mirrored ones are equal too */
-    static const double BEYOND = 0.01; /* of the solution's range: more than rounding leaves */
+    enum { LEAST = 3, PART = 50 };     /* points, and 1/50 of all: mirrored points are equal too */
+    static const double BEYOND = 0.01; /* parts of the solution's range, above rounding */
     const struct field *f = r->field;
     const double off = CLOSE * field_largest(f);
     double lo = INFINITY, hi = -INFINITY;
